@@ -1,0 +1,25 @@
+# One interface target, emulsion_settings, carries the language level, warnings and sanitizers of every target.
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+add_library(emulsion_settings INTERFACE)
+target_compile_features(emulsion_settings INTERFACE cxx_std_20)
+
+# Contraction to fused multiply-adds would let results depend on the instruction set.
+target_compile_options(emulsion_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -ffp-contract=off
+  $<$<BOOL:${EMULSION_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# Releases run on any x86-64-v2 machine (SSE4.2); wider vectors are chosen at run time.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(emulsion_settings INTERFACE -march=x86-64-v2)
+endif()
+
+if(EMULSION_SANITIZE)
+  target_compile_options(emulsion_settings INTERFACE
+    -fsanitize=${EMULSION_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(emulsion_settings INTERFACE -fsanitize=${EMULSION_SANITIZE})
+endif()

@@ -1,0 +1,47 @@
+# A room is one folder of src/ and one library target: emulsion_room(film ...) makes emulsion::film of src/film/*.cpp.
+
+function(emulsion_room name)
+  cmake_parse_arguments(room "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_library(emulsion_${name} STATIC ${sources})
+  add_library(emulsion::${name} ALIAS emulsion_${name})
+  target_include_directories(emulsion_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_link_libraries(emulsion_${name}
+    PUBLIC ${room_LINKS}
+    PRIVATE $<BUILD_INTERFACE:emulsion_settings> ${room_PRIVATE_LINKS})
+  target_compile_features(emulsion_${name} PUBLIC cxx_std_20)
+endfunction()
+
+# The `emulsion` program: src/cli, one file per subcommand.
+function(emulsion_program)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
+  add_executable(emulsion ${sources})
+  target_compile_definitions(emulsion PRIVATE EMULSION_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(emulsion PRIVATE emulsion_settings emulsion::develop emulsion::pathtracer CLI11::CLI11)
+endfunction()
+
+# One test program per room: test_film of tests/film/*.cpp, its cases found by ctest.
+function(emulsion_test_room name)
+  cmake_parse_arguments(room "" "" "LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} GTest::gmock_main)
+  target_compile_definitions(test_${name} PRIVATE
+    EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EMULSION_PROGRAM="$<TARGET_FILE:emulsion>")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction()
+
+# One benchmark program per file: bench_film_add of bench/film/add.cpp.
+function(emulsion_bench_room name)
+  cmake_parse_arguments(room "" "" "LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/${name}/*.cpp)
+  foreach(source IN LISTS sources)
+    get_filename_component(stem ${source} NAME_WE)
+    add_executable(bench_${name}_${stem} ${source})
+    target_link_libraries(bench_${name}_${stem} PRIVATE emulsion_settings ${room_LINKS} benchmark::benchmark)
+    target_compile_definitions(bench_${name}_${stem} PRIVATE EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  endforeach()
+endfunction()

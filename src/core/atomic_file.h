@@ -1,0 +1,35 @@
+#pragma once
+// Files that appear whole or not at all: written under a temporary name in the same folder, then renamed.
+
+#include <filesystem>
+
+namespace emulsion {
+
+/// A file being written. Write to temporary_path(), then commit(); destroyed uncommitted, it leaves nothing behind and
+/// the file of that name, if there was one, as it was.
+class AtomicFile {
+  public:
+    /// Creates the empty temporary file beside `path`.
+    /// \throws IoError if the folder is missing or not writable, or if `path` is a folder.
+    explicit AtomicFile(std::filesystem::path path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+    [[nodiscard]] const std::filesystem::path& temporary_path() const noexcept { return temporary_path_; }
+
+    /// Forces the data to disk and renames the temporary file to path().
+    /// \throws IoError if either fails; the temporary file is then removed.
+    void commit();
+
+  private:
+    std::filesystem::path path_, temporary_path_;
+    bool committed_ = false;
+};
+
+/// Finds out whether `path` could be written, and leaves no trace: for saying so before hours of work, not after.
+/// \throws IoError as AtomicFile does.
+void check_writable(const std::filesystem::path& path);
+
+}  // namespace emulsion

@@ -1,0 +1,80 @@
+#pragma once
+// Image<T>: width x height pixels, row by row from the top left; ImageView<T>: the same pixels, not owned.
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace emulsion {
+
+/// A rectangle of whole pixels, [x0, x1) x [y0, y1).
+struct PixelBounds {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    [[nodiscard]] constexpr int width() const noexcept { return x1 - x0; }
+    [[nodiscard]] constexpr int height() const noexcept { return y1 - y0; }
+    bool operator==(const PixelBounds&) const = default;
+};
+
+/// Pixels that belong to someone else: contiguous rows without padding.
+template <class T>
+class ImageView {
+  public:
+    ImageView(T* data, int width, int height) noexcept : data_(data), width_(width), height_(height) {}
+
+    [[nodiscard]] int width() const noexcept { return width_; }
+    [[nodiscard]] int height() const noexcept { return height_; }
+    [[nodiscard]] T& operator()(int x, int y) const noexcept { return row(y)[static_cast<std::size_t>(x)]; }
+    [[nodiscard]] std::span<T> row(int y) const noexcept {
+        const auto width = static_cast<std::size_t>(width_);
+        return {data_ + static_cast<std::size_t>(y) * width, width};
+    }
+    [[nodiscard]] std::span<T> pixels() const noexcept {
+        return {data_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
+    }
+
+  private:
+    T* data_;
+    int width_, height_;
+};
+
+template <class T>
+class Image {
+  public:
+    Image() = default;
+
+    /// All pixels value-initialised.
+    /// \throws std::invalid_argument unless both sizes are at least 1.
+    Image(int width, int height) : width_(width), height_(height) {
+        if (width < 1 || height < 1) {
+            throw std::invalid_argument("image size " + std::to_string(width) + "x" + std::to_string(height) +
+                                        ": both must be at least 1");
+        }
+        pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    }
+
+    [[nodiscard]] int width() const noexcept { return width_; }
+    [[nodiscard]] int height() const noexcept { return height_; }
+    [[nodiscard]] T& operator()(int x, int y) noexcept { return pixels_[index(x, y)]; }
+    [[nodiscard]] const T& operator()(int x, int y) const noexcept { return pixels_[index(x, y)]; }
+    [[nodiscard]] std::span<T> row(int y) noexcept { return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)}; }
+    [[nodiscard]] std::span<const T> row(int y) const noexcept {
+        return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)};
+    }
+    [[nodiscard]] std::span<T> pixels() noexcept { return pixels_; }
+    [[nodiscard]] std::span<const T> pixels() const noexcept { return pixels_; }
+    [[nodiscard]] ImageView<T> view() noexcept { return {pixels_.data(), width_, height_}; }
+    [[nodiscard]] ImageView<const T> view() const noexcept { return {pixels_.data(), width_, height_}; }
+    bool operator==(const Image&) const = default;
+
+  private:
+    [[nodiscard]] std::size_t index(int x, int y) const noexcept {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+
+    int width_ = 0, height_ = 0;
+    std::vector<T> pixels_;
+};
+
+}  // namespace emulsion

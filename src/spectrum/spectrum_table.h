@@ -1,0 +1,55 @@
+#pragma once
+// The renderer's form of a spectrum: one straight line per nanometre, single precision. Exact for piecewise linear
+// spectra with knots at whole nanometres, jumps included; the double-precision twin is eval(Spectrum, lambda_nm).
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/units.h"
+#include "spectrum/sampled_spectrum.h"
+#include "spectrum/spectrum.h"
+
+namespace emulsion {
+
+/// Where N wavelengths lie in the tables; worked out once per path and used for every spectrum that it meets.
+template <int N>
+struct SpectrumTableIndex {
+    std::array<int, N> cell{};        ///< whole nanometres above kMinWavelength_nm
+    std::array<float, N> fraction{};  ///< in [0, 1], nm above the start of the cell
+
+    SpectrumTableIndex() = default;
+    explicit SpectrumTableIndex(const std::array<float, N>& lambda_nm) noexcept {
+        constexpr int kLastCell = kMaxWavelength_nm - kMinWavelength_nm - 1;
+        for (std::size_t i = 0; i < N; ++i) {
+            const float above = lambda_nm[i] - static_cast<float>(kMinWavelength_nm);
+            cell[i] = std::clamp(static_cast<int>(above), 0, kLastCell);
+            fraction[i] = above - static_cast<float>(cell[i]);
+        }
+    }
+};
+
+class SpectrumTable {
+  public:
+    /// \throws std::invalid_argument if the spectrum has a value that is not finite.
+    explicit SpectrumTable(const Spectrum& spectrum, double scale = 1.0);
+
+    template <int N>
+    [[nodiscard]] SampledSpectrum<N> at(const SpectrumTableIndex<N>& index) const noexcept {
+        SampledSpectrum<N> values;
+        for (std::size_t i = 0; i < N; ++i) {
+            const Line& line = lines_[static_cast<std::size_t>(index.cell[i])];
+            values.value[i] = line.start + index.fraction[i] * line.slope;
+        }
+        return values;
+    }
+
+  private:
+    struct Line {
+        float start, slope;  // value at the cell's start; rise over the cell
+    };
+    std::vector<Line> lines_;
+};
+
+}  // namespace emulsion
