@@ -1,0 +1,51 @@
+#pragma once
+// Samples that a film keeps out, because one of them would spoil its pixel: how many, of which kind, and the first few.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/color.h"
+
+namespace emulsion {
+
+/// Why a sample was kept out: a NaN among its values or its weight; else an infinity; else a luminance below 0 (before
+/// the weight, which may well be negative).
+enum class DroppedKind { nan, infinite, negative_luminance };
+
+struct DroppedSample {
+    int x_px = 0, y_px = 0;  ///< the pixel, in the film's coordinates
+    DroppedKind kind = DroppedKind::nan;
+    XYZ value;  ///< before the weight
+    float weight = 0.0f;
+};
+
+/// "pixel (3, 4): XYZ (nan, 1, 1), weight 1: not a number"
+[[nodiscard]] std::string to_string(const DroppedSample& sample);
+
+class DroppedSamples {
+  public:
+    static constexpr std::size_t kReported = 8;
+
+    [[nodiscard]] std::uint64_t count() const noexcept { return counts_[0] + counts_[1] + counts_[2]; }
+    [[nodiscard]] std::uint64_t count(DroppedKind kind) const noexcept {
+        return counts_[static_cast<std::size_t>(kind)];
+    }
+
+    /// Up to kReported of them. In a tile the first that came; in a film the first in reading order (row, then column)
+    /// among those that its tiles reported, so that they don't depend on the order of merges.
+    [[nodiscard]] std::span<const DroppedSample> first() const noexcept { return {first_.data(), first_count_}; }
+
+    /// Counts a sample whose kind is set.
+    void add(const DroppedSample& sample) noexcept;
+    void merge(const DroppedSamples& other) noexcept;
+
+  private:
+    std::array<std::uint64_t, 3> counts_{};  // by kind
+    std::array<DroppedSample, kReported> first_{};
+    std::size_t first_count_ = 0;
+};
+
+}  // namespace emulsion
