@@ -1,7 +1,7 @@
-# cmake -DOUTPUT=file.cpp -DTABLES=a.csv,b.csv -P WriteEmbeddedTables.cmake
+# cmake -DOUTPUT=file.cpp "-DTABLES=a.csv|b.csv" -P WriteEmbeddedTables.cmake
 # Writes one C++ file that defines emulsion::embedded_table_files() (src/spectrum/embedded_tables.h).
 
-string(REPLACE "," ";" TABLES "${TABLES}")
+string(REPLACE "|" ";" TABLES "${TABLES}")
 set(rows "")
 foreach(table IN LISTS TABLES)
   get_filename_component(name ${table} NAME_WE)

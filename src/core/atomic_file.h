@@ -6,11 +6,12 @@
 namespace emulsion {
 
 /// A file being written. Write to temporary_path(), then commit(); destroyed uncommitted, it leaves nothing behind and
-/// the file of that name, if there was one, as it was.
+/// the file of that name, if there was one, as it was. A symbolic link is followed: the file it points to is replaced.
 class AtomicFile {
   public:
     /// Creates the empty temporary file beside `path`.
-    /// \throws IoError if the folder is missing or not writable, or if `path` is a folder.
+    /// \throws IoError if the folder is missing or not writable, or if `path` is a folder, a device or a pipe, or a
+    /// file that its permissions protect.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -19,12 +20,12 @@ class AtomicFile {
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
     [[nodiscard]] const std::filesystem::path& temporary_path() const noexcept { return temporary_path_; }
 
-    /// Forces the data to disk and renames the temporary file to path().
-    /// \throws IoError if either fails; the temporary file is then removed.
+    /// Forces the data to disk and renames the temporary file to path(). Once only.
+    /// \throws IoError if either fails; the temporary file then goes with this object.
     void commit();
 
   private:
-    std::filesystem::path path_, temporary_path_;
+    std::filesystem::path path_, target_path_, temporary_path_;
     bool committed_ = false;
 };
 

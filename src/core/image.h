@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace emulsion {
@@ -41,6 +42,8 @@ class ImageView {
 
 template <class T>
 class Image {
+    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to point at; take std::uint8_t");
+
   public:
     Image() = default;
 

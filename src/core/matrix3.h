@@ -14,7 +14,7 @@ struct Matrix3 {
 [[nodiscard]] std::array<double, 3> operator*(const Matrix3& a, const std::array<double, 3>& v) noexcept;
 [[nodiscard]] double determinant(const Matrix3& a) noexcept;
 
-/// \throws std::invalid_argument if the matrix is singular or not finite.
+/// \throws std::invalid_argument if an element is not finite, or the determinant is 0 to within rounding.
 [[nodiscard]] Matrix3 inverse(const Matrix3& a);
 
 }  // namespace emulsion

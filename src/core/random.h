@@ -14,9 +14,10 @@ namespace emulsion {
     return x ^ (x >> 31);
 }
 
-/// Folds one more value into a hash.
+/// Folds one more value into a hash. The value is mixed before it meets the hash, so that neighbouring hashes and
+/// values (seed 0 at pixel 1, seed 1 at pixel 0) don't meet in the same result.
 [[nodiscard]] constexpr std::uint64_t hash_combine(std::uint64_t hash, std::uint64_t value) noexcept {
-    return mix_bits(hash + 0x9e3779b97f4a7c15u + value);
+    return mix_bits(hash ^ mix_bits(value + 0x9e3779b97f4a7c15u));
 }
 
 /// A float in [0, 1) on a grid of 2^-24, from the top bits of x: every float of that grid is equally likely.

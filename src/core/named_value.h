@@ -1,0 +1,175 @@
+#pragma once
+// Named values: plain types with a name, one line of help and a table of parameters (core/parameters.h), held in a
+// std::variant. To add one, write its type and add it to the variant; everything here iterates the variant.
+//
+// Text form: name, or name:parameter=value,parameter=value. Parameters that are left out have their default. to_text
+// prints all of them, in the order of the table, so that a stored text means the same after a default has changed.
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace emulsion {
+
+template <class T>
+concept NamedValue = std::default_initializable<T> && std::equality_comparable<T> && requires {
+    { T::kName } -> std::convertible_to<std::string_view>;
+    { T::kHelp } -> std::convertible_to<std::string_view>;
+};
+
+template <class T>
+struct IsNamedVariant : std::false_type {};
+template <NamedValue... Ts>
+struct IsNamedVariant<std::variant<Ts...>> : std::true_type {};
+
+/// A std::variant whose alternatives are all named values.
+template <class T>
+concept NamedVariant = IsNamedVariant<T>::value;
+
+/// What --help says about one alternative.
+struct NamedValueDescription {
+    std::string_view name;
+    std::string_view help;
+    std::vector<ParameterDescription> parameters;
+    bool operator==(const NamedValueDescription&) const = default;
+};
+
+/// The table of a type; empty if the type has no data members.
+template <NamedValue T>
+[[nodiscard]] constexpr std::span<const Parameter<T>> parameters_of() noexcept {
+    if constexpr (requires { T::kParameters; }) {
+        return T::kParameters;
+    } else {
+        static_assert(std::is_empty_v<T>, "a named value with data members needs a kParameters table");
+        return {};
+    }
+}
+
+/// Calls visitor(T{}) for every alternative of the variant, in its order.
+template <NamedVariant Variant, class Visitor>
+constexpr void for_each_alternative(Visitor&& visitor) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (visitor(std::variant_alternative_t<I, Variant>{}), ...); }
+    (std::make_index_sequence<std::variant_size_v<Variant>>{});
+}
+
+/// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
+/// `kind` is the role of the value, as in parse_named.
+template <NamedValue T>
+void validate_named(const T& value, std::string_view kind = "") {
+    for (const Parameter<T>& parameter : parameters_of<T>()) {
+        const std::string what = parameter_label(kind, T::kName, parameter.name);
+        std::visit([&](auto member) { check_range(static_cast<double>(value.*member), parameter.range, what); },
+                   parameter.member);
+    }
+}
+template <NamedVariant Variant>
+void validate_named(const Variant& variant, std::string_view kind = "") {
+    std::visit([&](const auto& value) { validate_named(value, kind); }, variant);
+}
+
+/// The text form of a value, with all its parameters; parse_named reads it back as the same value.
+template <NamedValue T>
+[[nodiscard]] std::string to_text(const T& value) {
+    std::string text(T::kName);
+    char separator = ':';
+    for (const Parameter<T>& parameter : parameters_of<T>()) {
+        text += std::exchange(separator, ',');
+        text += parameter.name;
+        text += '=';
+        text += std::visit([&](auto member) { return number_text(value.*member); }, parameter.member);
+    }
+    return text;
+}
+template <NamedVariant Variant>
+[[nodiscard]] std::string to_text(const Variant& variant) {
+    return std::visit([](const auto& value) { return to_text(value); }, variant);
+}
+
+/// The names of all alternatives, in the variant's order.
+template <NamedVariant Variant>
+[[nodiscard]] std::vector<std::string_view> names_of() {
+    std::vector<std::string_view> names;
+    for_each_alternative<Variant>([&]<class T>(const T&) { names.push_back(T::kName); });
+    return names;
+}
+
+/// Every alternative with its parameters, in the variant's order.
+template <NamedVariant Variant>
+[[nodiscard]] std::vector<NamedValueDescription> describe_named() {
+    std::vector<NamedValueDescription> all;
+    for_each_alternative<Variant>([&]<class T>(const T& defaults) {
+        NamedValueDescription& description = all.emplace_back(T::kName, T::kHelp);
+        for (const Parameter<T>& parameter : parameters_of<T>()) {
+            description.parameters.push_back(
+                {parameter.name,
+                 std::visit([&](auto member) { return number_text(defaults.*member); }, parameter.member),
+                 to_text(parameter.range), parameter.unit, parameter.help});
+        }
+    });
+    return all;
+}
+
+/// A text form taken apart: "a:b=1,c=2" is {"a", {{"b", "1"}, {"c", "2"}}}.
+struct NamedText {
+    std::string_view name;
+    std::vector<std::pair<std::string_view, std::string_view>> assignments;
+};
+
+/// `kind` is the role of the value in messages: "tonemap".
+/// \throws std::invalid_argument if an assignment lacks its '=' or its name, or if a name is given twice.
+[[nodiscard]] NamedText split_named_text(std::string_view text, std::string_view kind);
+
+/// "tonemap reinhard-global: key"
+[[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
+
+/// \throws std::invalid_argument that lists `known`, the names most like `name` first. `what` says what was looked for:
+/// "tonemap".
+[[noreturn]] void throw_unknown_name(std::string_view what, std::string_view name, std::vector<std::string_view> known);
+
+/// Reads one alternative's parameters.
+template <NamedValue T>
+[[nodiscard]] T parse_parameters(const NamedText& text, std::string_view kind) {
+    T value;
+    for (const auto& [name, number] : text.assignments) {
+        std::vector<std::string_view> known;
+        bool found = false;
+        for (const Parameter<T>& parameter : parameters_of<T>()) {
+            known.push_back(parameter.name);
+            if (parameter.name != name) continue;
+            found = true;
+            const std::string what = parameter_label(kind, T::kName, name);
+            std::visit([&](auto member) { parse_number(number, what, value.*member); }, parameter.member);
+        }
+        if (!found) throw_unknown_name(parameter_label(kind, T::kName, "parameter"), name, std::move(known));
+    }
+    validate_named(value, kind);
+    return value;
+}
+
+/// Reads a text form. `kind` is the role of the value, used in messages: "tonemap".
+/// \throws std::invalid_argument for an unknown name or parameter (listing the right ones, nearest first), a malformed
+/// number, a value out of its range (naming the range), or a parameter given twice.
+template <NamedVariant Variant>
+[[nodiscard]] Variant parse_named(std::string_view text, std::string_view kind) {
+    const NamedText parts = split_named_text(text, kind);
+    Variant result;
+    bool found = false;
+    for_each_alternative<Variant>([&]<class T>(const T&) {
+        if (T::kName != parts.name) return;
+        result = parse_parameters<T>(parts, kind);
+        found = true;
+    });
+    if (!found) throw_unknown_name(kind, parts.name, names_of<Variant>());
+    return result;
+}
+
+}  // namespace emulsion
