@@ -68,8 +68,9 @@ struct FilmImage {
 
 /// Reads a file of write_exr(), or any single-part scan-line or tiled EXR with channels X Y Z or R G B of half or
 /// float. RGB goes to XYZ by the file's chromaticities. Assumed, and said in the notes: Rec. 709 where there are none;
-/// 1 cd/m^2 where there is no whiteLuminance. Other channels are left out, and said. \throws IoError in one line if the
-/// file is missing, a folder, not an EXR, damaged, incomplete, or holds other channels.
+/// 1 cd/m^2 where there is no whiteLuminance. Other channels are left out, and said.
+/// \throws IoError in one line if the file is missing, a folder, not an EXR, damaged, incomplete, or holds other
+/// channels.
 [[nodiscard]] FilmImage read_exr(const std::filesystem::path& path);
 
 }  // namespace emulsion

@@ -4,8 +4,6 @@
 // Source: Ernst, Stamminger & Greiner, "Filter Importance Sampling", IEEE Symposium on Interactive Ray Tracing 2006.
 
 #include <array>
-#include <cstddef>
-#include <vector>
 
 #include "film/filter.h"
 
@@ -18,34 +16,36 @@ struct FilterSample {
     float weight = 1.0f;       ///< f/pdf, of mean 1; negative in the filter's negative lobes
 };
 
-/// Draws positions with a density close to |f|: along each axis, 1024 cells of equal probability, each of constant
+/// Draws positions with a density close to |f|: along each axis, kCells cells of equal probability, each of constant
 /// density, so that the inverse of the distribution is one look-up and keeps the stratification of its input.
-/// The weight holds f itself over that density, so that the expectation does not depend on the number of cells. For a
-/// box the inverse is exact and the weight always 1.
+/// The weight holds f itself over that density, so that expectations do not depend on the number of cells. For a box
+/// the inverse is exact and the weight always 1.
 class FilterSampler {
   public:
-    /// \throws std::invalid_argument as validate() does, and if the filter's integral is not positive: it could not
-    /// be normalised.
+    static constexpr int kCells = 1024;
+
+    /// \throws std::invalid_argument as validate() does, and if the filter's integral along an axis is not positive:
+    /// it could not be normalised.
     explicit FilterSampler(const Filter& filter);
 
     /// u and v in [0, 1): two uniform numbers, for x and for y.
     [[nodiscard]] FilterSample sample(float u, float v) const noexcept;
 
-    /// The same in double precision with f evaluated at the point, not interpolated; offsets agree with sample() to
-    /// 1e-6 of the radius.
-    struct Reference {
-        double x_offset_px = 0.0, y_offset_px = 0.0, weight = 1.0;
-    };
-    [[nodiscard]] Reference sample_reference(double u, double v) const noexcept;
+    /// Density of x_offset_px (or y), 1/px: constant within a cell, 0 past the radius.
+    [[nodiscard]] double pdf(FilterAxis axis, double offset_px) const noexcept;
 
   private:
-    static constexpr int kCells = 1024;
-    static constexpr float kCellsFloat = kCells;
-
     struct AxisTable {
         std::array<double, kCells + 1> edge_px{};  // ends of the cells, from -radius to radius, rising
         double integral_px = 1.0;                  // of f over the axis, with its sign
     };
+    struct AxisSample {
+        double offset_px, weight;
+    };
+
+    [[nodiscard]] static AxisTable make_table(const Filter& filter, FilterAxis axis);
+    [[nodiscard]] AxisSample sample_axis(FilterAxis axis, float u) const noexcept;
+    [[nodiscard]] const AxisTable& table(FilterAxis axis) const noexcept { return axis == FilterAxis::x ? x_ : y_; }
 
     Filter filter_;
     AxisTable x_, y_;

@@ -1,0 +1,56 @@
+#include "film/dropped_samples.h"
+
+#include <algorithm>
+#include <bit>
+#include <sstream>
+#include <tuple>
+
+namespace emulsion {
+
+namespace {
+
+/// Reading order first; the rest makes the order total, so that merges commute.
+auto order_of(const DroppedSample& sample) noexcept {
+    const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+    return std::make_tuple(sample.y_px, sample.x_px, sample.kind, bits(sample.value.x), bits(sample.value.y),
+                           bits(sample.value.z), bits(sample.weight));
+}
+
+const char* name_of(DroppedKind kind) noexcept {
+    switch (kind) {
+        case DroppedKind::nan:
+            return "not a number";
+        case DroppedKind::infinite:
+            return "infinite";
+        case DroppedKind::negative_luminance:
+            return "negative luminance";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string to_string(const DroppedSample& sample) {
+    std::ostringstream text;
+    text << "pixel (" << sample.x_px << ", " << sample.y_px << "): XYZ (" << sample.value.x << ", " << sample.value.y
+         << ", " << sample.value.z << "), weight " << sample.weight << ": " << name_of(sample.kind);
+    return text.str();
+}
+
+void DroppedSamples::add(const DroppedSample& sample) noexcept {
+    ++counts_[static_cast<std::size_t>(sample.kind)];
+    if (first_count_ < kReported) first_[first_count_++] = sample;
+}
+
+void DroppedSamples::merge(const DroppedSamples& other) noexcept {
+    for (std::size_t kind = 0; kind < counts_.size(); ++kind) counts_[kind] += other.counts_[kind];
+
+    std::array<DroppedSample, 2 * kReported> both{};
+    auto end = std::copy_n(first_.begin(), first_count_, both.begin());
+    end = std::copy_n(other.first_.begin(), other.first_count_, end);
+    std::sort(both.begin(), end, [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
+    first_count_ = std::min(kReported, first_count_ + other.first_count_);
+    std::copy_n(both.begin(), first_count_, first_.begin());
+}
+
+}  // namespace emulsion
