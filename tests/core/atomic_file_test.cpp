@@ -71,7 +71,8 @@ class OrdinaryUser {
         EXPECT_EQ(::seteuid(kNobody), 0);
     }
     ~OrdinaryUser() {
-        if (was_root_) EXPECT_EQ(::seteuid(0), 0);
+        if (!was_root_) return;
+        EXPECT_EQ(::seteuid(0), 0);
     }
     OrdinaryUser(const OrdinaryUser&) = delete;
     OrdinaryUser& operator=(const OrdinaryUser&) = delete;
