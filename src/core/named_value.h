@@ -61,14 +61,16 @@ constexpr void for_each_alternative(Visitor&& visitor) {
     (std::make_index_sequence<std::variant_size_v<Variant>>{});
 }
 
+/// How messages name a parameter: "tonemap reinhard-global: key"; an empty kind is left out.
+[[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
+
 /// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
 /// `kind` is the role of the value, as in parse_named.
 template <NamedValue T>
 void validate_named(const T& value, std::string_view kind = "") {
     for (const Parameter<T>& parameter : parameters_of<T>()) {
         const std::string what = parameter_label(kind, T::kName, parameter.name);
-        std::visit([&](auto member) { check_range(static_cast<double>(value.*member), parameter.range, what); },
-                   parameter.member);
+        std::visit([&](auto member) { check_range(value.*member, parameter.range, what); }, parameter.member);
     }
 }
 template <NamedVariant Variant>
@@ -107,13 +109,14 @@ template <NamedVariant Variant>
 [[nodiscard]] std::vector<NamedValueDescription> describe_named() {
     std::vector<NamedValueDescription> all;
     for_each_alternative<Variant>([&]<class T>(const T& defaults) {
-        NamedValueDescription& description = all.emplace_back(T::kName, T::kHelp);
+        NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             description.parameters.push_back(
                 {parameter.name,
                  std::visit([&](auto member) { return number_text(defaults.*member); }, parameter.member),
                  to_text(parameter.range), parameter.unit, parameter.help});
         }
+        all.push_back(std::move(description));
     });
     return all;
 }
@@ -127,9 +130,6 @@ struct NamedText {
 /// `kind` is the role of the value in messages: "tonemap".
 /// \throws std::invalid_argument if an assignment lacks its '=' or its name, or if a name is given twice.
 [[nodiscard]] NamedText split_named_text(std::string_view text, std::string_view kind);
-
-/// "tonemap reinhard-global: key"
-[[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
 
 /// \throws std::invalid_argument that lists `known`, the names most like `name` first. `what` says what was looked for:
 /// "tonemap".

@@ -78,6 +78,7 @@ void parse_number(std::string_view text, std::string_view what, float& value);
 void parse_number(std::string_view text, std::string_view what, int& value);
 
 /// \throws std::invalid_argument naming `what`, the value and the range, unless the range contains the value.
-void check_range(double value, const ParameterRange& range, std::string_view what);
+void check_range(float value, const ParameterRange& range, std::string_view what);
+void check_range(int value, const ParameterRange& range, std::string_view what);
 
 }  // namespace emulsion

@@ -1,0 +1,60 @@
+#include "core/parameters.h"
+
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <stdexcept>
+#include <system_error>
+
+namespace emulsion {
+
+namespace {
+
+template <class T>
+std::string shortest_text(T value) {
+    std::array<char, 64> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), result.ptr};
+}
+
+template <class T>
+void parse_whole_text(std::string_view text, std::string_view what, T& value) {
+    const std::string shown = std::string(what) + " = \"" + std::string(text) + '"';
+    const char* end = text.data() + text.size();
+    T parsed{};
+    const auto result = std::from_chars(text.data(), end, parsed);
+    if (result.ec == std::errc::result_out_of_range && result.ptr == end) {
+        throw std::invalid_argument(shown + ": too large or too small to be held");
+    }
+    if (result.ec != std::errc{} || result.ptr != end) {
+        throw std::invalid_argument(shown + (std::integral<T> ? ": not a whole number" : ": not a number"));
+    }
+    value = parsed;
+}
+
+void check(double value, const std::string& value_text, const ParameterRange& range, std::string_view what) {
+    if (range.contains(value)) return;
+    throw std::invalid_argument(std::string(what) + " = " + value_text + ": must be in " + to_text(range));
+}
+
+}  // namespace
+
+std::string to_text(const ParameterRange& range) {
+    return (range.min_end == RangeEnd::closed ? "[" : "(") + shortest_text(range.min) + ", " +
+           shortest_text(range.max) + (range.max_end == RangeEnd::closed ? "]" : ")");
+}
+
+std::string number_text(float value) { return shortest_text(value); }
+std::string number_text(int value) { return shortest_text(value); }
+
+void parse_number(std::string_view text, std::string_view what, float& value) { parse_whole_text(text, what, value); }
+void parse_number(std::string_view text, std::string_view what, int& value) { parse_whole_text(text, what, value); }
+
+void check_range(float value, const ParameterRange& range, std::string_view what) {
+    check(static_cast<double>(value), number_text(value), range, what);
+}
+void check_range(int value, const ParameterRange& range, std::string_view what) {
+    check(static_cast<double>(value), number_text(value), range, what);
+}
+
+}  // namespace emulsion
