@@ -1,0 +1,48 @@
+#include "develop/develop.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/matrix3.h"
+#include "core/row_blocks.h"
+
+namespace emulsion {
+
+namespace {
+
+XYZ narrow(const XYZd& xyz) noexcept {
+    return {static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z)};
+}
+
+/// The three stages between tone mapping and quantization, row by row while the row is in the cache.
+GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline, Image<RGB>& encoded, int threads) {
+    const Matrix3 matrix = rgb_from_xyz(pipeline.display);
+    std::vector<GamutCounts> counts(static_cast<std::size_t>(display_xyz.height()));
+    parallel_for_rows(display_xyz.width(), display_xyz.height(), threads, [&](int y) {
+        const std::span<RGB> row = encoded.row(y);
+        display_rgb(matrix, display_xyz.row(y), row);
+        counts[static_cast<std::size_t>(y)] = map_gamut(pipeline.gamut, row);
+        encode(pipeline.transfer, row);
+    });
+    GamutCounts total;
+    for (const GamutCounts& row : counts) total += row;
+    return total;
+}
+
+}  // namespace
+
+DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
+    validate(pipeline);
+    DevelopReport report;
+    const XYZ white = narrow(white_xyz(pipeline.display));
+    ToneMapResult mapped = tone_map(pipeline.tone_mapper, scene.view(), white, threads);
+    report.luminance = mapped.statistics;
+
+    Image<RGB> encoded(scene.width(), scene.height());
+    report.gamut = encode_rows(mapped.image, pipeline, encoded, threads);
+    mapped.image = {};  // its memory is needed no more
+    return {quantize(pipeline.dither, std::as_const(encoded).view(), threads), report};
+}
+
+}  // namespace emulsion

@@ -1,0 +1,31 @@
+#pragma once
+// Developing a picture: scene-referred XYZ through the stages of a Pipeline to code values.
+
+#include "core/color.h"
+#include "core/image.h"
+#include "develop/pipeline.h"
+#include "display/code_value.h"
+#include "display/gamut_counts.h"
+#include "tonemap/luminance_statistics.h"
+
+namespace emulsion {
+
+/// What was found on the way, for telling the user.
+struct DevelopReport {
+    LuminanceStatistics luminance;  ///< of the scene, cd/m^2, with the counts of bad pixels
+    GamutCounts gamut;              ///< pixels that the display could not show, after tone mapping
+    bool operator==(const DevelopReport&) const = default;
+};
+
+struct DevelopResult {
+    Image<CodeRGB> image;
+    DevelopReport report;
+};
+
+/// Tone mapping, display RGB, gamut mapping, transfer function, quantization with dithering.
+/// Every pixel comes out defined: see tone_map() for bad ones. The same result for every number of threads (0: all).
+/// \param scene XYZ, Y in cd/m^2
+/// \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
+[[nodiscard]] DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
+
+}  // namespace emulsion

@@ -1,0 +1,38 @@
+#pragma once
+// Pipeline: the chain from scene-referred XYZ to code values, as one plain value.
+
+#include <string>
+#include <string_view>
+
+#include "display/display_rgb.h"
+#include "display/dither.h"
+#include "display/gamut_mapper.h"
+#include "display/transfer_function.h"
+#include "tonemap/tone_mapper.h"
+
+namespace emulsion {
+
+/// The five stages, in their order. Text form, one key=value for each, separated by spaces:
+///     tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb bits=8 dither=floyd-steinberg
+struct Pipeline {
+    ToneMapper tone_mapper = ReinhardGlobal{};   ///< "tonemap"
+    Display display = SrgbDisplay{};             ///< "display"
+    GamutMapper gamut = GamutClip{};             ///< "gamut"
+    TransferFunction transfer = SrgbTransfer{};  ///< "transfer"
+    int bits = 8;                                ///< "bits" of a code value; 8 is the only one yet
+    Dither dither = FloydSteinberg{};            ///< "dither"
+    bool operator==(const Pipeline&) const = default;
+};
+
+/// All stages with all their parameters; parse_pipeline reads it back as the same value.
+[[nodiscard]] std::string to_text(const Pipeline& pipeline);
+
+/// Keys may come in any order; a stage that is left out has its default.
+/// \throws std::invalid_argument for an unknown key, a key given twice, or a value that parse_named rejects; names what
+/// was expected.
+[[nodiscard]] Pipeline parse_pipeline(std::string_view text);
+
+/// \throws std::invalid_argument naming stage, parameter, value and range, for the first that is out of its range.
+void validate(const Pipeline& pipeline);
+
+}  // namespace emulsion

@@ -1,0 +1,173 @@
+#include "display/png_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include <png.h>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace emulsion {
+
+namespace {
+
+// libpng reports an error by a callback that must not return. An exception must not pass through its C frames, so the
+// callback jumps back into write_chunks(), whose frame holds nothing that would need a destructor. Everything that
+// does need one lives in the caller.
+
+/// What the callbacks share with the caller.
+struct WriteState {
+    std::FILE* file = nullptr;
+    int write_errno = 0;              ///< of a write that failed
+    std::array<char, 256> message{};  ///< of the first error or warning
+};
+
+void remember(WriteState& state, const char* message) noexcept {
+    if (state.message[0] != '\0') return;
+    std::strncpy(state.message.data(), message, state.message.size() - 1);
+}
+
+// A warning means that something asked for is not in the file.
+void on_warning(png_structp png, png_const_charp message) {
+    remember(*static_cast<WriteState*>(png_get_error_ptr(png)), message);
+}
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+    remember(*static_cast<WriteState*>(png_get_error_ptr(png)), message);
+    png_longjmp(png, 1);
+}
+
+void on_write(png_structp png, png_bytep data, std::size_t size) {
+    auto& state = *static_cast<WriteState*>(png_get_io_ptr(png));
+    if (std::fwrite(data, 1, size, state.file) == size) return;
+    state.write_errno = errno;
+    png_error(png, "cannot write");
+}
+
+void on_flush(png_structp /*png*/) {}  // flushed and checked when the file is closed
+
+/// libpng's two structures.
+class PngWriter {
+  public:
+    explicit PngWriter(WriteState& state)
+        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning)),
+          info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
+        if (info_ != nullptr) png_set_write_fn(png_, &state, on_write, on_flush);
+    }
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    [[nodiscard]] png_structp png() const noexcept { return png_; }
+    [[nodiscard]] png_infop info() const noexcept { return info_; }
+    [[nodiscard]] bool created() const noexcept { return info_ != nullptr; }
+
+  private:
+    png_structp png_;
+    png_infop info_;
+};
+
+struct FileCloser {
+    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+};
+
+std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
+
+bool is_ascii(std::string_view text) noexcept {
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+void check_text(const PngText& text) {
+    const std::string& keyword = text.keyword;
+    const bool printable = std::all_of(keyword.begin(), keyword.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    const bool spaced = keyword.starts_with(' ') || keyword.ends_with(' ') || keyword.find("  ") != std::string::npos;
+    if (keyword.empty() || keyword.size() > 79 || !printable || spaced) {
+        throw std::invalid_argument("PNG keyword \"" + keyword +
+                                    "\": must be 1 to 79 printable ASCII characters, with single spaces inside only");
+    }
+    if (text.text.find('\0') != std::string::npos) {
+        throw std::invalid_argument("PNG text of \"" + keyword + "\": must not hold '\\0'");
+    }
+}
+
+/// Text chunks as libpng wants them. It only reads the strings that they point to, which stay the caller's.
+std::vector<png_text> text_chunks(const PngOptions& options) {
+    std::vector<png_text> chunks;
+    for (const PngText& text : options.text) {
+        check_text(text);
+        png_text chunk{};
+        chunk.compression = is_ascii(text.text) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+        chunk.key = const_cast<char*>(text.keyword.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        chunk.text = const_cast<char*>(text.text.c_str());    // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+/// The image as libpng wants it: one pointer for each row, which it only reads.
+std::vector<png_bytep> row_pointers(const Image<CodeRGB>& image) {
+    static_assert(sizeof(CodeRGB) == 3, "rows are written as they lie in memory");
+    std::vector<png_bytep> rows;
+    for (int y = 0; y < image.height(); ++y) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+        rows.push_back(const_cast<png_bytep>(&image.row(y).front().r));
+    }
+    return rows;
+}
+
+/// False if libpng reported an error. Only plain values here: errors jump out of the middle.
+bool write_chunks(png_structp png, png_infop info, const Image<CodeRGB>& image, const std::vector<png_text>& text,
+                  const std::vector<png_bytep>& rows) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
+    constexpr png_uint_32 kAnySize = 0x7fffffff;
+    png_set_user_limits(png, kAnySize, kAnySize);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()), static_cast<png_uint_32>(image.height()), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+    if (!text.empty()) png_set_text(png, info, text.data(), static_cast<int>(text.size()));
+    png_write_info(png, info);
+    for (png_const_bytep row : rows) png_write_row(png, row);
+    png_write_end(png, info);
+    return true;
+}
+
+/// \throws IoError unless all of the image is in the temporary file.
+void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const std::vector<png_text>& text) {
+    const std::vector<png_bytep> rows = row_pointers(image);
+    WriteState state;
+    std::unique_ptr<std::FILE, FileCloser> stream(std::fopen(file.temporary_path().c_str(), "wb"));
+    if (stream == nullptr) throw IoError(file.path(), "cannot open the temporary file: " + reason_of(errno));
+    state.file = stream.get();
+    {
+        const PngWriter writer(state);
+        if (!writer.created()) throw IoError(file.path(), "libpng could not be started");
+        const bool written = write_chunks(writer.png(), writer.info(), image, text, rows);
+        if (state.write_errno != 0) throw IoError(file.path(), "cannot write: " + reason_of(state.write_errno));
+        if (!written || state.message[0] != '\0') {
+            throw IoError(file.path(), std::string("libpng: ") + state.message.data());
+        }
+    }
+    if (std::fclose(stream.release()) != 0) throw IoError(file.path(), "cannot write: " + reason_of(errno));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options) {
+    if (image.width() < 1 || image.height() < 1) throw std::invalid_argument("PNG of an empty picture");
+    const std::vector<png_text> text = text_chunks(options);
+    AtomicFile file(path);
+    write_image(file, image, text);
+    file.commit();
+}
+
+}  // namespace emulsion

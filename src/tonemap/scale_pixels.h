@@ -1,0 +1,70 @@
+#pragma once
+// The loop that all pointwise operators share: one scale for each pixel, from its luminance.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "core/color.h"
+#include "core/image.h"
+#include "core/row_blocks.h"
+#include "tonemap/luminance_statistics.h"
+
+namespace emulsion {
+
+/// Components of a tone-mapped pixel stay within this, so that later stages don't overflow.
+inline constexpr double kMaxDisplayComponent = 0x1p100;
+
+/// One pixel in double precision. `exact_scale(luminance_cdm2)` is asked for good pixels only.
+template <class ExactScale>
+[[nodiscard]] XYZd scaled_pixel(const XYZ& pixel, const XYZd& display_white, const ExactScale& exact_scale) noexcept {
+    switch (classify(pixel)) {
+        case PixelClass::nan:
+        case PixelClass::negative:
+            return {};
+        case PixelClass::infinite:
+            return display_white;
+        case PixelClass::zero:
+        case PixelClass::positive:
+            break;
+    }
+    const XYZd exact{pixel.x, pixel.y, pixel.z};
+    const XYZd scaled = exact_scale(exact.y) * exact;
+    const double largest = std::max({std::abs(scaled.x), std::abs(scaled.y), std::abs(scaled.z)});
+    return largest > kMaxDisplayComponent ? (kMaxDisplayComponent / largest) * scaled : scaled;
+}
+
+/// The value in single precision, or NaN where that would cost digits: scale_pixels() then takes the exact scale.
+[[nodiscard]] inline float narrow_or_nan(double value) noexcept {
+    const bool representable = value == 0.0 || (value > 0x1p-120 && value < 0x1p120);
+    return representable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
+}
+
+/// display = scale(Y) * scene, with bad pixels as tone_map() says. `fast_scale(float)` may give NaN or Inf where single
+/// precision does not reach: such pixels, like all that are not plainly good, go to `exact_scale(double)`.
+template <class FastScale, class ExactScale>
+void scale_pixels(ImageView<const XYZ> scene, ImageView<XYZ> display, const XYZ& display_white, int threads,
+                  const FastScale& fast_scale, const ExactScale& exact_scale) {
+    constexpr auto kLimit = static_cast<float>(kMaxDisplayComponent);
+    const XYZd white{display_white.x, display_white.y, display_white.z};
+    parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
+        const std::span<const XYZ> in = scene.row(y);
+        const std::span<XYZ> out = display.row(y);
+        for (std::size_t x = 0; x < in.size(); ++x) {
+            const XYZ pixel = in[x];
+            const XYZ scaled = fast_scale(pixel.y) * pixel;
+            const bool plain = pixel.y >= 0.0f && std::abs(scaled.x) <= kLimit && std::abs(scaled.y) <= kLimit &&
+                               std::abs(scaled.z) <= kLimit;
+            if (plain) [[likely]] {
+                out[x] = scaled;
+                continue;
+            }
+            const XYZd exact = scaled_pixel(pixel, white, exact_scale);
+            out[x] = {static_cast<float>(exact.x), static_cast<float>(exact.y), static_cast<float>(exact.z)};
+        }
+    });
+}
+
+}  // namespace emulsion

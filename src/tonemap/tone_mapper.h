@@ -1,0 +1,43 @@
+#pragma once
+// Tone mapping: from scene-referred XYZ, Y in cd/m^2, to display-relative XYZ, Y = 1 at display white. One scale for
+// each pixel, so that its chromaticity stays. Values above 1 and outside the display's gamut are left to src/display.
+
+#include <variant>
+
+#include "core/color.h"
+#include "core/image.h"
+#include "core/named_value.h"
+#include "tonemap/luminance_statistics.h"
+#include "tonemap/max_to_white.h"
+#include "tonemap/reinhard_global.h"
+
+namespace emulsion {
+
+/// All operators; the first is the default. core/named_value.h prints, parses and lists them.
+using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite>;
+
+struct ToneMapResult {
+    Image<XYZ> image;                ///< display-relative; every component finite, Y >= 0
+    LuminanceStatistics statistics;  ///< of the scene: counts the bad pixels and says where the first is
+};
+
+/// Maps a whole picture. Bad pixels (see LuminanceStatistics) come out defined and do not change the others: nan and
+/// negative ones black, infinite ones `display_white`. Components are held below 2^100 by scaling the pixel down. A
+/// picture without positive pixels comes out black, except where it is infinite.
+/// The result has the same bits for every number of threads (0: all).
+/// \throws std::invalid_argument if a parameter is out of its range, the picture is empty, or threads < 0.
+/// \param display_white XYZ of display white, Y = 1.
+[[nodiscard]] ToneMapResult tone_map(const ToneMapper& mapper, ImageView<const XYZ> scene, const XYZ& display_white,
+                                     int threads);
+
+/// The same into pixels that exist: `display` has the size of `scene`, and may be the same pixels.
+/// \throws std::invalid_argument as above, or if the sizes differ.
+LuminanceStatistics tone_map_into(const ToneMapper& mapper, ImageView<const XYZ> scene, ImageView<XYZ> display,
+                                  const XYZ& display_white, int threads);
+
+/// The double-precision twin: the operators' formulas pixel by pixel, on one thread. tone_map() is within 1e-6 of it,
+/// relative in each component, down to 1e-37 absolute, and up to its limit of 2^100.
+[[nodiscard]] Image<XYZd> tone_map_reference(const ToneMapper& mapper, ImageView<const XYZ> scene,
+                                             const XYZd& display_white);
+
+}  // namespace emulsion
