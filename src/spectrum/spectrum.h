@@ -51,6 +51,16 @@ using Spectrum =
 /// value.
 [[nodiscard]] double eval(const Spectrum& spectrum, double lambda_nm) noexcept;
 
+/// Which side a limit is taken from: shorter or longer wavelengths.
+enum class Side { below, above };
+
+/// The value that the spectrum tends to at lambda_nm from one side. Differs from eval only at the ends of a piecewise
+/// linear spectrum, from outside: there it is 0.
+[[nodiscard]] double limit(const Spectrum& spectrum, double lambda_nm, Side side) noexcept;
+
+/// The wavelengths at which the spectrum has a kink or a jump, increasing; it is smooth in between.
+[[nodiscard]] std::vector<double> knots_nm(const Spectrum& spectrum);
+
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const Spectrum& spectrum);
 

@@ -1,0 +1,33 @@
+#include "spectrum/blackbody.h"
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace emulsion {
+
+namespace {
+
+constexpr double kSecondRadiation_nmK = 1e9 * kPlanck * kSpeedOfLight / kBoltzmann;
+
+// h c / (lambda k T) where lambda^-5 / (exp(x) - 1) is largest: the root of x = 5 (1 - exp(-x)) (Wien).
+constexpr double kPeakExponent = 4.965114231744276;
+
+}  // namespace
+
+double planck_radiance(double temperature_K, double lambda_nm) noexcept {
+    const double lambda_m = 1e-9 * lambda_nm;
+    const double per_m = 2.0 * kPlanck * kSpeedOfLight * kSpeedOfLight / std::pow(lambda_m, 5.0) /
+                         std::expm1(kSecondRadiation_nmK / (lambda_nm * temperature_K));
+    return 1e-9 * per_m;
+}
+
+double relative_planck_radiance(double temperature_K, double lambda_nm) noexcept {
+    const double exponent = kSecondRadiation_nmK / (lambda_nm * temperature_K);
+    // (lambda_peak / lambda)^5 written by the exponents; exp(x) may overflow to infinity, and the quotient to 0 is
+    // right.
+    if (exponent > 700.0) return 0.0;
+    return std::pow(exponent / kPeakExponent, 5.0) * std::expm1(kPeakExponent) / std::expm1(exponent);
+}
+
+}  // namespace emulsion

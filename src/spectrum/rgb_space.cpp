@@ -1,0 +1,80 @@
+#include "spectrum/rgb_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "spectrum/data_table.h"
+
+namespace emulsion {
+
+namespace {
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+std::vector<RgbSpace> tabulated_spaces() {
+    const DataTable& table = data_table("rgb_colourspaces");
+    std::vector<RgbSpace> spaces(table.row_count());
+    for (std::size_t i = 0; i < spaces.size(); ++i) {
+        const auto point = [&](const char* x, const char* y) {
+            return Chromaticity{table.column(x)[i], table.column(y)[i]};
+        };
+        spaces[i] = {table.row_names[i], point("xr", "yr"), point("xg", "yg"), point("xb", "yb"), point("xw", "yw")};
+    }
+    return spaces;
+}
+
+}  // namespace
+
+const RgbSpace& rgb_space(std::string_view name) {
+    static const std::vector<RgbSpace> spaces = tabulated_spaces();
+    const std::string wanted = lower_case(name);
+    for (const RgbSpace& space : spaces) {
+        if (lower_case(space.name) == wanted) return space;
+    }
+    throw std::invalid_argument(fmt::format("RGB space \"{}\" is unknown: expected one of {}", name,
+                                            listed(data_table("rgb_colourspaces").row_names)));
+}
+
+XYZd xyz_of(const Chromaticity& chromaticity) {
+    const auto [x, y] = chromaticity;
+    if (!std::isfinite(x) || !std::isfinite(y) || y == 0.0) {
+        throw std::invalid_argument(
+            fmt::format("chromaticity ({}, {}): expected finite numbers, y other than 0", x, y));
+    }
+    return {x / y, 1.0, (1.0 - x - y) / y};
+}
+
+Matrix3 xyz_from_rgb(const RgbSpace& space) {
+    // Columns x, y, z of the primaries; y may be 0 or negative for imaginary ones, so not scaled to Y = 1.
+    const std::array<Chromaticity, 3> primary = {space.red, space.green, space.blue};
+    Matrix3 matrix;
+    for (std::size_t j = 0; j < 3; ++j) {
+        matrix.m[0][j] = primary[j].x;
+        matrix.m[1][j] = primary[j].y;
+        matrix.m[2][j] = 1.0 - primary[j].x - primary[j].y;
+    }
+
+    // Amounts of the primaries that add up to the white.
+    const XYZd white = xyz_of(space.white);
+    const std::array<double, 3> amount = inverse(matrix) * std::array<double, 3>{white.x, white.y, white.z};
+    for (auto& row : matrix.m) {
+        for (std::size_t j = 0; j < 3; ++j) row[j] *= amount[j];
+    }
+    return matrix;
+}
+
+Matrix3 rgb_from_xyz(const RgbSpace& space) { return inverse(xyz_from_rgb(space)); }
+
+}  // namespace emulsion

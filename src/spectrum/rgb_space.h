@@ -1,0 +1,38 @@
+#pragma once
+// Linear RGB spaces, by the chromaticities of their primaries and white. Matrices are derived from these, so that
+// RGB (1, 1, 1) is the white with Y = 1. Transfer functions are no part of this.
+
+#include <string>
+#include <string_view>
+
+#include "core/color.h"
+#include "core/matrix3.h"
+
+namespace emulsion {
+
+/// CIE 1931 x and y.
+struct Chromaticity {
+    double x = 0.0, y = 0.0;
+    bool operator==(const Chromaticity&) const = default;
+};
+
+struct RgbSpace {
+    std::string name;
+    Chromaticity red, green, blue, white;
+    bool operator==(const RgbSpace&) const = default;
+};
+
+/// A space of data/rgb_colourspaces.csv, in any case: "sRGB", "Rec709", "Rec2020", "Display_P3", ...
+/// \throws std::invalid_argument for an unknown name, listing those that exist.
+[[nodiscard]] const RgbSpace& rgb_space(std::string_view name);
+
+/// XYZ with Y = 1.
+/// \throws std::invalid_argument if y is 0 or a coordinate is not finite.
+[[nodiscard]] XYZd xyz_of(const Chromaticity& chromaticity);
+
+/// Columns are the XYZ of the primaries, scaled to sum to the white with Y = 1.
+/// \throws std::invalid_argument if the primaries lie on one line.
+[[nodiscard]] Matrix3 xyz_from_rgb(const RgbSpace& space);
+[[nodiscard]] Matrix3 rgb_from_xyz(const RgbSpace& space);
+
+}  // namespace emulsion
