@@ -1,13 +1,60 @@
 #include "film/filter_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace emulsion {
+
+namespace {
+
+/// Ends of `cells` parts of the half-axis that hold the same integral of |f| each.
+std::vector<double> edges_of_equal_mass(const Filter& filter, FilterAxis axis, int cells) {
+    // The integral of |f| on [0, i step], by midpoints.
+    constexpr int kSteps = 1 << 15;
+    const double radius = radius_px(filter, axis), step = radius / kSteps;
+    std::vector<double> mass(kSteps + 1);
+    for (int i = 0; i < kSteps; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        mass[at + 1] = mass[at] + step * std::abs(eval(filter, axis, (i + 0.5) * step));
+    }
+
+    std::vector<double> edges = {0.0};
+    std::size_t i = 0;
+    for (int k = 1; k < cells; ++k) {
+        const double wanted = mass.back() * k / cells;
+        while (mass[i + 1] < wanted) ++i;
+        edges.push_back((static_cast<double>(i) + (wanted - mass[i]) / (mass[i + 1] - mass[i])) * step);
+    }
+    edges.push_back(radius);
+    return edges;
+}
+
+/// Coefficients, constant first, of the cubic through the values of f at the four Chebyshev points of [0, 1].
+template <class F>
+std::array<double, 4> cubic_through(const F& f) {
+    std::array<double, 4> node{}, difference{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        node[i] = 0.5 - 0.5 * std::cos((2.0 * static_cast<double>(i) + 1.0) * std::acos(-1.0) / 8.0);
+        difference[i] = f(node[i]);
+    }
+    // Newton's divided differences, then Horner's scheme on polynomials.
+    for (std::size_t order = 1; order < 4; ++order) {
+        for (std::size_t i = 3; i >= order; --i) {
+            difference[i] = (difference[i] - difference[i - 1]) / (node[i] - node[i - order]);
+        }
+    }
+    std::array<double, 4> coefficient{};
+    for (std::size_t i = 4; i-- > 0;) {
+        for (std::size_t k = 3; k > 0; --k) coefficient[k] = coefficient[k - 1] - node[i] * coefficient[k];
+        coefficient[0] = difference[i] - node[i] * coefficient[0];
+    }
+    return coefficient;
+}
+
+}  // namespace
 
 FilterSampler::FilterSampler(const Filter& filter) : filter_(filter) {
     validate(filter);
@@ -16,65 +63,72 @@ FilterSampler::FilterSampler(const Filter& filter) : filter_(filter) {
 }
 
 FilterSampler::AxisTable FilterSampler::make_table(const Filter& filter, FilterAxis axis) {
-    // Integrals of f and |f| from the centre outwards, Simpson's rule in each of many steps.
-    constexpr int kSteps = 1 << 15;
-    const double radius = radius_px(filter, axis), step = radius / kSteps;
-    std::vector<double> mass(kSteps + 1);  // of |f| on [0, i * step]
-    double integral = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double a = eval(filter, axis, i * step), b = eval(filter, axis, (i + 0.5) * step),
-                     c = i + 1 < kSteps ? eval(filter, axis, (i + 1) * step) : b;
-        integral += step / 6.0 * (a + 4.0 * b + c);
-        mass[static_cast<std::size_t>(i) + 1] =
-            mass[static_cast<std::size_t>(i)] + step / 6.0 * (std::abs(a) + 4.0 * std::abs(b) + std::abs(c));
+    AxisTable table;
+    table.edge_px = edges_of_equal_mass(filter, axis, kCells);
+
+    // f times the cell's width is the weight, up to a constant: every cell has the same probability.
+    std::vector<std::array<double, 4>> cubics;
+    double half_integral = 0.0, half_mass = 0.0;
+    for (std::size_t i = 0; i < kCells; ++i) {
+        const double start = table.edge_px[i], width = table.edge_px[i + 1] - start;
+        const auto cubic = cubic_through([&](double t) { return width * eval(filter, axis, start + t * width); });
+        const double integral = cubic[0] + cubic[1] / 2.0 + cubic[2] / 3.0 + cubic[3] / 4.0;
+        half_integral += integral;
+        half_mass += std::abs(integral);
+        cubics.push_back(cubic);
     }
-    if (!(integral > 1e-6 * mass.back())) {
-        throw std::invalid_argument("filter: its integral along an axis is " + std::to_string(2.0 * integral) +
-                                    " px, expected a number > 0 (and not a mere residue of its lobes)");
+    table.integral_px = 2.0 * half_integral;
+    if (!(half_integral > 1e-6 * half_mass)) {
+        throw std::invalid_argument("filter: its integral along an axis is " + std::to_string(table.integral_px) +
+                                    " px, expected a number > 0 that is more than what its lobes leave over");
     }
 
-    // The half on the right, cut into parts of equal mass; the half on the left is its mirror image.
-    constexpr int kHalf = kCells / 2;
-    AxisTable result;
-    result.integral_px = 2.0 * integral;
-    std::size_t i = 0;
-    for (int k = 1; k < kHalf; ++k) {
-        const double wanted = mass.back() * k / kHalf;
-        while (mass[i + 1] < wanted) ++i;
-        const double edge = (static_cast<double>(i) + (wanted - mass[i]) / (mass[i + 1] - mass[i])) * step;
-        result.edge_px[kHalf + k] = edge;
-        result.edge_px[kHalf - k] = -edge;
+    for (std::size_t i = 0; i < kCells; ++i) {
+        const auto weight = [&](std::size_t k) { return static_cast<float>(cubics[i][k] * kCells / half_integral); };
+        const double start = table.edge_px[i], width = table.edge_px[i + 1] - start;
+        table.cells.push_back(
+            {static_cast<float>(start), static_cast<float>(width), weight(0), weight(1), weight(2), weight(3)});
     }
-    result.edge_px.front() = -radius;
-    result.edge_px.back() = radius;
-    return result;
+    return table;
 }
 
-FilterSampler::AxisSample FilterSampler::sample_axis(FilterAxis axis, float u) const noexcept {
-    const AxisTable& cells = table(axis);
-    const double scaled = static_cast<double>(u) * kCells;
-    const auto cell = static_cast<std::size_t>(std::clamp(static_cast<int>(scaled), 0, kCells - 1));
-    const double start = cells.edge_px[cell], width = cells.edge_px[cell + 1] - start;
-    const double offset = start + (scaled - static_cast<double>(cell)) * width;
-    // One over the density is kCells * width.
-    return {offset, eval(filter_, axis, offset) * width * kCells / cells.integral_px};
+FilterSampler::AxisSample FilterSampler::sample_axis(const AxisTable& table, float u) noexcept {
+    // All exact for the u of random.h, multiples of 2^-24.
+    const float centred = 2.0f * u - 1.0f;
+    const float scaled = std::abs(centred) * static_cast<float>(kCells);
+    const int index = std::clamp(static_cast<int>(scaled), 0, kCells - 1);
+    const float t = scaled - static_cast<float>(index);
+
+    const Cell& cell = table.cells[static_cast<std::size_t>(index)];
+    const float offset = std::copysign(cell.start_px + t * cell.width_px, centred);
+    return {offset, cell.w0 + t * (cell.w1 + t * (cell.w2 + t * cell.w3))};
 }
 
 FilterSample FilterSampler::sample(float u, float v) const noexcept {
     if (const auto* box = std::get_if<BoxFilter>(&filter_)) {
         return {(2.0f * u - 1.0f) * box->x_radius_px, (2.0f * v - 1.0f) * box->y_radius_px, 1.0f};
     }
-    const AxisSample x = sample_axis(FilterAxis::x, u), y = sample_axis(FilterAxis::y, v);
-    return {static_cast<float>(x.offset_px), static_cast<float>(y.offset_px), static_cast<float>(x.weight * y.weight)};
+    const AxisSample x = sample_axis(x_, u), y = sample_axis(y_, v);
+    return {x.offset_px, y.offset_px, x.weight * y.weight};
 }
 
 double FilterSampler::pdf(FilterAxis axis, double offset_px) const noexcept {
-    const double radius = radius_px(filter_, axis);
-    if (!(std::abs(offset_px) < radius)) return 0.0;
+    const double radius = radius_px(filter_, axis), distance = std::abs(offset_px);
+    if (!(distance < radius)) return 0.0;
     if (std::holds_alternative<BoxFilter>(filter_)) return 0.5 / radius;
-    const auto& edges = table(axis).edge_px;
-    const auto end = std::upper_bound(edges.begin() + 1, edges.end() - 1, offset_px);
-    return 1.0 / (kCells * (*end - *(end - 1)));
+    const auto& edges = (axis == FilterAxis::x ? x_ : y_).edge_px;
+    const auto end = std::upper_bound(edges.begin() + 1, edges.end() - 1, distance);
+    return 0.5 / (kCells * (*end - *(end - 1)));
+}
+
+double FilterSampler::weight_along(FilterAxis axis, double offset_px) const noexcept {
+    const double density = pdf(axis, offset_px);
+    if (density == 0.0) return 0.0;
+    return eval(filter_, axis, offset_px) / (density * (axis == FilterAxis::x ? x_ : y_).integral_px);
+}
+
+double FilterSampler::weight_reference(double x_offset_px, double y_offset_px) const noexcept {
+    return weight_along(FilterAxis::x, x_offset_px) * weight_along(FilterAxis::y, y_offset_px);
 }
 
 }  // namespace emulsion

@@ -20,11 +20,10 @@ Sensor::Sensor(double imaging_ratio) : imaging_ratio_(imaging_ratio) {
     }
     for (std::size_t i = 0; i + 1 < response_.size(); ++i) {
         const XYZd start = response_[i], end = response_[i + 1];
-        Lines lines;
-        lines.start = {static_cast<float>(start.x), static_cast<float>(start.y), static_cast<float>(start.z), 0.0f};
-        lines.slope = {static_cast<float>(end.x - start.x), static_cast<float>(end.y - start.y),
-                       static_cast<float>(end.z - start.z), 0.0f};
-        lines_.push_back(lines);
+        const auto four = [](const XYZd& value) {
+            return Float4{static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z), 0.0f};
+        };
+        lines_.push_back({four(start), four(end + -1.0 * start)});
     }
 }
 

@@ -1,0 +1,214 @@
+// What a sample costs on its way into the film, beside a plain double[4] add of the same numbers (the baseline of the
+// ratios: divide the times of one run). Each benchmark first verifies that its sums are those of the plain adds.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "core/random.h"
+#include "film/film.h"
+#include "film/filter_sampler.h"
+#include "spectrum/wavelength_sampling.h"
+
+namespace emulsion {
+namespace {
+
+constexpr int kTile_px = 16;
+constexpr int kSamplesPerPixel = 64;
+constexpr std::size_t kSamples = std::size_t{kTile_px} * kTile_px * kSamplesPerPixel;
+constexpr PixelBounds kBounds{0, 0, kTile_px, kTile_px};
+
+struct Samples {
+    std::vector<XYZ> xyz;
+    std::vector<float> weight;
+    std::vector<SampledWavelengths<4>> wavelengths;
+    std::vector<SampledSpectrum<4>> radiance;
+};
+
+const Samples& samples() {
+    static const Samples made = [] {
+        Samples all;
+        Pcg32 random(1);
+        const VisibleWavelengthPdf distribution;
+        for (std::size_t i = 0; i < kSamples; ++i) {
+            all.xyz.push_back({random.next_float(), random.next_float(), random.next_float()});
+            all.weight.push_back(random.next_float() < 0.1f ? -1.1f : 1.1f);
+            all.wavelengths.push_back(sample_visible_wavelengths<4>(distribution, random.next_float()));
+            SampledSpectrum<4> radiance;
+            for (int k = 0; k < 4; ++k) radiance[k] = random.next_float();
+            all.radiance.push_back(radiance);
+        }
+        return all;
+    }();
+    return made;
+}
+
+/// Calls add(x, y, i) for every sample, pixel by pixel, as a renderer does. The sums go through memory at each sample:
+/// in a renderer, a whole path lies between two of them.
+template <class Add>
+void for_each_sample(const Add& add) {
+    std::size_t i = 0;
+    for (int y = 0; y < kTile_px; ++y) {
+        for (int x = 0; x < kTile_px; ++x) {
+            for (int s = 0; s < kSamplesPerPixel; ++s) {
+                add(x, y, i++);
+                benchmark::ClobberMemory();
+            }
+        }
+    }
+}
+
+struct alignas(32) PlainPixel {
+    std::array<double, 4> sum{};
+};
+
+void add_plain(std::vector<PlainPixel>& pixels, int x, int y, XYZ value, float weight) {
+    auto& sum = pixels[static_cast<std::size_t>(y) * kTile_px + static_cast<std::size_t>(x)].sum;
+    const double w = static_cast<double>(weight);
+    sum[0] += w * static_cast<double>(value.x);
+    sum[1] += w * static_cast<double>(value.y);
+    sum[2] += w * static_cast<double>(value.z);
+    sum[3] += w;
+}
+
+std::vector<PlainPixel> plain_sums(const Film& film, bool spectral) {
+    std::vector<PlainPixel> pixels(std::size_t{kTile_px} * kTile_px);
+    const Samples& all = samples();
+    for_each_sample([&](int x, int y, std::size_t i) {
+        const XYZ value = spectral ? film.sensor().to_xyz(all.wavelengths[i], all.radiance[i]) : all.xyz[i];
+        add_plain(pixels, x, y, value, all.weight[i]);
+    });
+    return pixels;
+}
+
+bool same_sums(const FilmTile& tile, const std::vector<PlainPixel>& plain) {
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        const TilePixel& pixel = tile.pixels()[i];
+        const auto& sum = plain[i].sum;
+        if (pixel.x != sum[0] || pixel.y != sum[1] || pixel.z != sum[2] || pixel.weight != sum[3]) return false;
+    }
+    return tile.dropped().count() == 0;
+}
+
+const FilmOptions kOptions{kTile_px, kTile_px, 1.0};
+
+void plain_double4(benchmark::State& state) {
+    const Samples& all = samples();
+    std::vector<PlainPixel> pixels(std::size_t{kTile_px} * kTile_px);
+    for (auto _ : state) {
+        for_each_sample([&](int x, int y, std::size_t i) { add_plain(pixels, x, y, all.xyz[i], all.weight[i]); });
+        benchmark::DoNotOptimize(pixels.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
+void tile_xyz(benchmark::State& state) {
+    const Samples& all = samples();
+    const Film film(kOptions);
+    FilmTile tile = film.make_tile(kBounds);
+    const auto pass = [&] {
+        for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
+    };
+    pass();
+    if (!same_sums(tile, plain_sums(film, false))) return state.SkipWithError("sums differ from the plain ones");
+    for (auto _ : state) {
+        pass();
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
+void tile_spectral4(benchmark::State& state) {
+    const Samples& all = samples();
+    const Film film(kOptions);
+    FilmTile tile = film.make_tile(kBounds);
+    const auto pass = [&] {
+        for_each_sample(
+            [&](int x, int y, std::size_t i) { tile.add(x, y, all.wavelengths[i], all.radiance[i], all.weight[i]); });
+    };
+    pass();
+    if (!same_sums(tile, plain_sums(film, true))) return state.SkipWithError("sums differ from the plain ones");
+    for (auto _ : state) {
+        pass();
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
+/// A tile's pass of XYZ samples and its merge: the whole way into the exact film.
+void tile_xyz_and_merge(benchmark::State& state) {
+    const Samples& all = samples();
+    Film film(kOptions);
+    FilmTile tile = film.make_tile(kBounds);
+    const auto pass = [&] {
+        tile.clear();
+        for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
+        film.merge(tile);
+    };
+    pass();
+    if (!same_sums(tile, plain_sums(film, false)) || film.sample_count() != kSamples) {
+        return state.SkipWithError("sums differ from the plain ones");
+    }
+    for (auto _ : state) {
+        pass();
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
+/// The merge alone; an item is a pixel.
+void merge(benchmark::State& state) {
+    const Samples& all = samples();
+    Film film(kOptions);
+    FilmTile tile = film.make_tile(kBounds);
+    for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
+    film.merge(tile);
+    const XYZ got = film.xyz_image()(3, 5);
+    const TilePixel& pixel = tile.pixels()[5 * kTile_px + 3];
+    if (got.y != static_cast<float>(pixel.y / pixel.weight)) return state.SkipWithError("merged sums differ");
+    for (auto _ : state) {
+        film.merge(tile);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * kTile_px * kTile_px);
+}
+
+void filter_sample(benchmark::State& state, const Filter& filter) {
+    const FilterSampler sampler(filter);
+    Pcg32 random(1);
+    std::vector<std::array<float, 2>> points(kSamples);
+    for (auto& point : points) point = {random.next_float(), random.next_float()};
+    double mean = 0.0;
+    for (const auto& [u, v] : points) mean += static_cast<double>(sampler.sample(u, v).weight) / kSamples;
+    if (std::abs(mean - 1.0) > 0.1) return state.SkipWithError("the weights' mean is not 1");
+    for (auto _ : state) {
+        float sum = 0.0f;
+        for (const auto& [u, v] : points) {
+            const FilterSample sample = sampler.sample(u, v);
+            sum += sample.x_offset_px + sample.y_offset_px + sample.weight;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
+BENCHMARK(plain_double4);
+BENCHMARK(tile_xyz);
+BENCHMARK(tile_spectral4);
+BENCHMARK(tile_xyz_and_merge);
+BENCHMARK(merge);
+BENCHMARK_CAPTURE(filter_sample, box, Filter(BoxFilter{}));
+BENCHMARK_CAPTURE(filter_sample, triangle, Filter(TriangleFilter{}));
+BENCHMARK_CAPTURE(filter_sample, gaussian, Filter(GaussianFilter{}));
+BENCHMARK_CAPTURE(filter_sample, mitchell, Filter(MitchellFilter{}));
+BENCHMARK_CAPTURE(filter_sample, sinc, Filter(LanczosSincFilter{}));
+
+}  // namespace
+}  // namespace emulsion
+
+BENCHMARK_MAIN();
