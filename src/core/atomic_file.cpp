@@ -31,7 +31,7 @@ std::filesystem::path replaceable_target(const std::filesystem::path& path) {
     // A rename asks only the folder; a file that is itself protected shall stay.
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
         throw IoError(path, "cannot be replaced: " + reason_of_errno());
-    const std::filesystem::path target = std::filesystem::canonical(path, error);
+    std::filesystem::path target = std::filesystem::canonical(path, error);
     if (error) throw IoError(path, "cannot be looked up: " + error.message());
     return target;
 }

@@ -31,7 +31,7 @@ namespace emulsion {
 class Pcg32 {
   public:
     explicit constexpr Pcg32(std::uint64_t seed = 0, std::uint64_t stream = 0) noexcept
-        : state_(0), increment_((stream << 1u) | 1u) {
+        : increment_((stream << 1u) | 1u) {
         next();
         state_ += mix_bits(seed);
         next();
@@ -48,7 +48,7 @@ class Pcg32 {
     constexpr float next_float() noexcept { return unit_float(next()); }
 
   private:
-    std::uint64_t state_, increment_;
+    std::uint64_t state_ = 0, increment_;
 };
 
 }  // namespace emulsion

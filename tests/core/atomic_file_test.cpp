@@ -237,6 +237,7 @@ TEST_F(AtomicFileTest, ConcurrentWritersEachWriteAWholeFile) {
     constexpr int kWriters = 8, kRounds = 20;
     constexpr std::size_t kSize = 64 * 1024;
     std::vector<std::thread> writers;
+    writers.reserve(kWriters);
     for (int w = 0; w < kWriters; ++w) {
         writers.emplace_back([&, w] {
             for (int round = 0; round < kRounds; ++round) {

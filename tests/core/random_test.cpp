@@ -70,7 +70,7 @@ TEST(MixBits, OneInputBitFlipsAboutHalfOfTheOutputBits) {
     }
     for (std::size_t in = 0; in < 64; ++in) {
         for (std::size_t out = 0; out < 64; ++out) {
-            EXPECT_NEAR(flips[in][out], kTrials / 2, 192) << "input bit " << in << ", output bit " << out;
+            EXPECT_NEAR(flips[in][out], 0.5 * kTrials, 192) << "input bit " << in << ", output bit " << out;
         }
     }
 }
