@@ -24,6 +24,12 @@ class ImageView {
   public:
     ImageView(T* data, int width, int height) noexcept : data_(data), width_(width), height_(height) {}
 
+    /// Pixels that may be changed may also be only looked at.
+    template <class Mutable>
+    requires std::is_same_v<const Mutable, T> ImageView(const ImageView<Mutable>& other)
+    noexcept  // NOLINT(google-explicit-constructor)
+        : ImageView(other.pixels().data(), other.width(), other.height()) {}
+
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
     [[nodiscard]] T& operator()(int x, int y) const noexcept { return row(y)[static_cast<std::size_t>(x)]; }
