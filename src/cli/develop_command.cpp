@@ -1,0 +1,52 @@
+#include "cli/develop_command.h"
+
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/messages.h"
+#include "cli/pipeline_options.h"
+#include "core/atomic_file.h"
+#include "film/exr_file.h"
+
+namespace emulsion::cli {
+
+struct DevelopCommand::Options {
+    std::filesystem::path exr, png;
+    int threads = 0;
+    bool quiet = false;
+    Pipeline pipeline;
+};
+
+DevelopCommand::DevelopCommand(CLI::App& program)
+    : command_(program.add_subcommand("develop", "Develop a scene-referred EXR to a PNG")),
+      options_(std::make_unique<Options>()) {
+    Options& options = *options_;
+    command_->add_option("input", options.exr, "EXR with channels X Y Z or R G B, as `emulsion render` writes it")
+        ->required()
+        ->type_name("EXR");
+    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->required()->type_name("FILE");
+    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only");
+    add_pipeline_options(*command_, options.pipeline);
+}
+
+DevelopCommand::~DevelopCommand() = default;
+
+bool DevelopCommand::chosen() const { return command_->parsed(); }
+
+int DevelopCommand::run() const {
+    const Options& options = *options_;
+    check_writable(options.png);
+    const FilmImage picture = read_exr(options.exr);
+    for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
+    develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
+    if (!options.quiet) fmt::print("wrote {}\n", options.png.string());
+    return kDone;
+}
+
+}  // namespace emulsion::cli

@@ -1,0 +1,75 @@
+// The `emulsion` program: picks the subcommand, and turns what goes wrong into one line and an exit code.
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/develop_command.h"
+#include "cli/messages.h"
+#include "cli/render_command.h"
+
+namespace {
+
+using namespace emulsion::cli;
+
+/// The command as it could be typed again: words with anything special in them in single quotes.
+std::string command_line_text(int argc, char** argv) {
+    std::string text;
+    for (int i = 0; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool plain = !word.empty() && word.find_first_not_of(
+                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                "0123456789_-./:=,+@%") == std::string::npos;
+        if (i > 0) text += ' ';
+        if (plain) {
+            text += word;
+            continue;
+        }
+        text += '\'';
+        for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        text += '\'';
+    }
+    return text;
+}
+
+int run(int argc, char** argv) {
+    CLI::App program(
+        "Emulsion: film and imaging for physically based renderers.\n"
+        "Exit codes: 0 done, 1 failed, 2 bad usage.");
+    program.name("emulsion");
+    program.set_version_flag("--version", "emulsion " EMULSION_VERSION);
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(30);
+    const RenderCommand render(program);
+    const DevelopCommand develop(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return program.exit(success);  // --help, --version
+    } catch (const CLI::ParseError& error) {
+        print_error(error.what());
+        return kBadUsage;
+    }
+    return render.chosen() ? render.run(command_line_text(argc, argv)) : develop.run();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A file that may not grow further is then an error like any other, not the end of the process.
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory");
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    } catch (...) {
+        print_error("unknown failure");
+    }
+    return kFailed;
+}

@@ -1,0 +1,24 @@
+#pragma once
+// The flags for the chain from XYZ to code values, shared by `render` and `develop`.
+
+#include <filesystem>
+#include <string>
+
+#include "core/color.h"
+#include "core/image.h"
+#include "develop/pipeline.h"
+
+namespace CLI {
+class App;
+}
+
+namespace emulsion::cli {
+
+/// Adds --tonemap to a subcommand; parsing sets `pipeline`, and refuses what is not a tone mapper with bad usage.
+void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
+
+/// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
+/// \throws IoError if the file can't be written.
+void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
+
+}  // namespace emulsion::cli

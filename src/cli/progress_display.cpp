@@ -1,0 +1,80 @@
+#include "cli/progress_display.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace emulsion::cli {
+
+namespace {
+
+constexpr int kBarWidth = 30;
+constexpr std::chrono::milliseconds kBarInterval{100}, kLineInterval{5000};
+
+std::string minutes_text(double seconds) {
+    const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+    if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+}  // namespace
+
+ProgressStyle progress_style_for_stderr() {
+    return ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int bar_width) {
+    const double share = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
+    const double rate = elapsed_s > 0.0 ? static_cast<double>(done) / elapsed_s : 0.0;
+    std::string text;
+    if (bar_width > 0) {
+        const auto filled = static_cast<std::size_t>(share * bar_width);
+        text = fmt::format("[{}{}] ", std::string(filled, '#'),
+                           std::string(static_cast<std::size_t>(bar_width) - filled, '.'));
+    }
+    text += fmt::format("{:3.0f}%  {:.1f} of {:.1f} Msamples  {:.2f} Msamples/s", std::floor(100.0 * share),
+                        static_cast<double>(done) * 1e-6, static_cast<double>(total) * 1e-6, rate * 1e-6);
+    if (rate > 0.0 && done < total) text += "  " + minutes_text(static_cast<double>(total - done) / rate) + " left";
+    return text;
+}
+
+ProgressDisplay::ProgressDisplay(ProgressStyle style, const RenderProgress& progress, std::int64_t total_samples) {
+    if (style == ProgressStyle::none) return;
+    thread_ = std::thread([this, style, &progress, total_samples] { run(style, progress, total_samples); });
+}
+
+ProgressDisplay::~ProgressDisplay() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void ProgressDisplay::run(ProgressStyle style, const RenderProgress& progress, std::int64_t total_samples) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto interval = style == ProgressStyle::bar ? kBarInterval : kLineInterval;
+    std::unique_lock lock(mutex_);
+    bool ended = false;
+    while (!ended) {
+        ended = wake_.wait_for(lock, interval, [this] { return ended_; });
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const std::int64_t done = progress.samples_done.load();
+        if (style == ProgressStyle::bar) {
+            // "\033[K" clears what a longer line before has left.
+            fmt::print(stderr, "\r{}\033[K{}", progress_text(done, total_samples, elapsed.count(), kBarWidth),
+                       ended ? "\n" : "");
+        } else {
+            fmt::print(stderr, "{}\n", progress_text(done, total_samples, elapsed.count(), 0));
+        }
+        std::fflush(stderr);
+    }
+}
+
+}  // namespace emulsion::cli

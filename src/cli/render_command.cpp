@@ -1,0 +1,209 @@
+#include "cli/render_command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/messages.h"
+#include "cli/pipeline_options.h"
+#include "cli/progress_display.h"
+#include "cli/stop_signals.h"
+#include "core/atomic_file.h"
+#include "film/exr_file.h"
+#include "film/film.h"
+#include "pathtracer/prepared_scene.h"
+#include "pathtracer/render.h"
+#include "pathtracer/scene_parser.h"
+
+namespace emulsion::cli {
+
+struct RenderCommand::Options {
+    std::filesystem::path scene, exr, png;
+    std::optional<int> samples_per_pixel;
+    std::optional<std::pair<int, int>> resolution_px;
+    std::optional<std::uint64_t> seed;
+    int wavelengths = 4;
+    int threads = 0;
+    bool rgb = false, half = false, quiet = false;
+    Pipeline pipeline;
+};
+
+namespace {
+
+constexpr int kMaxSize_px = 65536;
+
+/// "640x480".
+std::pair<int, int> parse_resolution(const std::string& text) {
+    std::pair<int, int> size{0, 0};
+    const std::size_t cross = text.find('x');
+    const auto refuse = [&text] {
+        throw CLI::ValidationError("--resolution", "found \"" + text + "\", expected WIDTHxHEIGHT, each in [1, 65536]");
+    };
+    if (cross == std::string::npos) refuse();
+    const auto read = [&](std::string_view digits, int& value) {
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        const bool whole = error == std::errc{} && end == digits.data() + digits.size();
+        if (!whole || value < 1 || value > kMaxSize_px) refuse();
+    };
+    read(std::string_view(text).substr(0, cross), size.first);
+    read(std::string_view(text).substr(cross + 1), size.second);
+    return size;
+}
+
+/// What comes after the options have been put over the scene's own settings.
+struct Job {
+    Scene scene;
+    RenderOptions render;
+    std::filesystem::path exr, png;
+    ExrOptions exr_options;
+};
+
+double elapsed_s(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+void warn_of_losses(const Film& film) {
+    const DroppedSamples dropped = film.dropped();
+    if (dropped.count() > 0) {
+        print_warning(
+            fmt::format("{} of {} samples were bad and kept out: {} NaN, {} infinite, {} of negative luminance",
+                        dropped.count(), dropped.count() + film.sample_count(), dropped.count(DroppedKind::nan),
+                        dropped.count(DroppedKind::infinite), dropped.count(DroppedKind::negative_luminance)));
+        for (const DroppedSample& sample : dropped.first()) print_warning(to_string(sample));
+    }
+    if (const auto count = film.saturated_pixels(); count > 0) {
+        print_warning(fmt::format("{} pixels have left the range of the film's sums", count));
+    }
+}
+
+FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const std::string& command_line) {
+    FilmMetadata metadata;
+    metadata.samples_per_pixel = static_cast<std::int64_t>(film.min_samples_per_pixel());
+    metadata.sample_count = film.sample_count();
+    metadata.dropped_sample_count = film.dropped().count();
+    metadata.seed = options.seed;
+    metadata.renderer_version = "emulsion " EMULSION_VERSION;
+    metadata.command_line = command_line;
+    return metadata;
+}
+
+}  // namespace
+
+RenderCommand::RenderCommand(CLI::App& program)
+    : command_(program.add_subcommand("render", "Render a pbrt-v4 scene to an EXR, and to a PNG")),
+      options_(std::make_unique<Options>()) {
+    Options& options = *options_;
+    command_->add_option("scene", options.scene, "Scene file in pbrt-v4 syntax")->required()->type_name("SCENE");
+    command_
+        ->add_option("-o,--output", options.exr,
+                     "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
+        ->type_name("FILE");
+    command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
+        ->type_name("FILE");
+    command_->add_option("--spp", options.samples_per_pixel, "Samples per pixel, 1 to 16777216 [default: the scene's]")
+        ->check(CLI::Range(1, 1 << 24))
+        ->type_name("N");
+    command_
+        ->add_option_function<std::string>(
+            "--resolution", [&options](const std::string& text) { options.resolution_px = parse_resolution(text); },
+            "Size of the picture in pixels [default: the scene's]")
+        ->type_name("WxH");
+    command_->add_option("--seed", options.seed, "Seed of the random numbers [default: the scene's, or 0]")
+        ->type_name("N");
+    command_->add_option("--wavelengths", options.wavelengths, "Wavelengths per path: 1, 2, 4, 8, 16 or 32")
+        ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}))
+        ->type_name("N")
+        ->capture_default_str();
+    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command_->add_flag("--rgb", options.rgb, "Write linear Rec. 709 R G B into the EXR instead of X Y Z");
+    command_->add_flag("--half", options.half, "Write 16-bit floats into the EXR instead of 32-bit ones");
+    command_->add_flag("--quiet", options.quiet, "No progress and no summary; warnings and errors only");
+    add_pipeline_options(*command_, options.pipeline);
+}
+
+RenderCommand::~RenderCommand() = default;
+
+bool RenderCommand::chosen() const { return command_->parsed(); }
+
+int RenderCommand::run(const std::string& command_line) const {
+    const auto start = std::chrono::steady_clock::now();
+    const Options& options = *options_;
+
+    // The scene's settings, and the command line's over them.
+    Scene scene = read_scene(options.scene);
+    for (const std::string& warning : scene.warnings) print_warning(warning);
+    if (options.resolution_px) std::tie(scene.film.width_px, scene.film.height_px) = *options.resolution_px;
+    RenderOptions render_options;
+    render_options.samples_per_pixel = options.samples_per_pixel.value_or(samples_per_pixel(scene.sampler));
+    render_options.seed = options.seed.value_or(static_cast<std::uint64_t>(scene.sampler_seed));
+    render_options.wavelengths = options.wavelengths;
+    render_options.threads = options.threads;
+    ExrOptions exr_options;
+    exr_options.color = options.rgb ? ExrColor::rec709 : ExrColor::xyz;
+    exr_options.pixel_type = options.half ? PixelType::half : scene.film.pixel_type;
+
+    std::filesystem::path exr = options.exr;
+    if (exr.empty()) {
+        exr = scene.film.filename.empty() ? options.scene.filename() : std::filesystem::path(scene.film.filename);
+        exr.replace_extension(".exr");
+    }
+
+    // What can't be written is found out before the work, not after.
+    check_writable(exr);
+    if (!options.png.empty()) check_writable(options.png);
+
+    Film film(film_options(scene));
+    const PreparedScene prepared(std::move(scene), options.threads);
+    RenderProgress progress;
+    const std::int64_t total = static_cast<std::int64_t>(film.options().width_px) * film.options().height_px *
+                               render_options.samples_per_pixel;
+    {
+        const StopSignals stop_signals(progress.stop);
+        const ProgressDisplay display(options.quiet ? ProgressStyle::none : progress_style_for_stderr(), progress,
+                                      total);
+        render(prepared, render_options, film, progress);
+    }
+    const double render_s = elapsed_s(start);
+    if (progress.samples_done == 0) throw std::runtime_error("stopped before the first samples; nothing was written");
+    const bool stopped = progress.samples_done < total;
+    if (stopped) {
+        print_warning(fmt::format("stopped early, at {} to {} of {} samples per pixel; writing what there is",
+                                  film.min_samples_per_pixel(), film.max_samples_per_pixel(),
+                                  render_options.samples_per_pixel));
+    }
+    warn_of_losses(film);
+
+    // The PNG is made from what the EXR holds, so that `develop` makes the same one.
+    const Image<XYZ> picture = film.xyz_image();
+    const ExrWriteResult written =
+        write_exr(exr, picture, metadata_of(film, render_options, command_line), exr_options);
+    if (written.clamped_count > 0) {
+        print_warning(fmt::format("{}: {} channel values are too large for 16-bit floats and were stored as 65504",
+                                  exr.string(), written.clamped_count));
+    }
+    if (!options.png.empty()) {
+        develop_to_png(as_stored(picture, exr_options), options.pipeline, options.threads, options.png);
+    }
+    if (!options.quiet) {
+        fmt::print("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),
+                   film.min_samples_per_pixel(), render_s);
+        fmt::print("wrote {}\n", exr.string());
+        if (!options.png.empty()) fmt::print("wrote {}\n", options.png.string());
+    }
+    return kDone;
+}
+
+}  // namespace emulsion::cli

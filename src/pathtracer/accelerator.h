@@ -1,0 +1,72 @@
+#pragma once
+// Which shape does a ray meet first, and does it meet any: Embree behind plain rays and hits.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "pathtracer/scene.h"
+
+namespace emulsion {
+
+/// The points origin + t direction with 0 < t < t_max. The direction need not be of unit length.
+struct Ray {
+    Imath::V3f origin;
+    Imath::V3f direction;
+    float t_max = std::numeric_limits<float>::infinity();
+};
+
+/// The first point that a ray meets.
+struct Hit {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    float t = 0.0f;               ///< along the ray, in lengths of its direction
+    float u = 0.0f, v = 0.0f;     ///< on a triangle: p0 + u (p1 - p0) + v (p2 - p0)
+    std::uint32_t shape = kNone;  ///< index into Scene::shapes, or kNone: nothing was met
+    std::uint32_t primitive = 0;  ///< the triangle of a mesh
+};
+
+/// Every ray that was traced, batch by batch: for replaying them through Embree alone.
+struct RayLog {
+    struct Batch {
+        std::vector<Ray> rays;
+        enum class Query { intersect, occluded } query;
+    };
+    std::vector<Batch> batches;
+};
+
+class Accelerator {
+  public:
+    /// Builds Embree's hierarchy over the shapes on up to `threads` threads (0: all). Keeps a reference to the shapes.
+    /// \throws std::runtime_error with Embree's reason if that fails.
+    Accelerator(const std::vector<Shape>& shapes, int threads);
+    ~Accelerator();
+    Accelerator(const Accelerator&) = delete;
+    Accelerator& operator=(const Accelerator&) = delete;
+
+    /// hits[i] = the first hit of rays[i]; both of the same size. Neighbours in the span are traced together.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept;
+
+    /// occluded[i] = 1 if rays[i] meets anything, else 0.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const noexcept;
+
+    /// From now on every query is also written to `log` (one thread only); nullptr ends it.
+    void record(RayLog* log) noexcept { log_ = log; }
+
+    /// The smallest sphere about the centre of the bounding box that holds every shape.
+    [[nodiscard]] Imath::V3f bounds_centre() const noexcept { return bounds_centre_; }
+    [[nodiscard]] float bounds_radius() const noexcept { return bounds_radius_; }
+
+  private:
+    struct Embree;
+    std::unique_ptr<Embree> embree_;
+    Imath::V3f bounds_centre_;
+    float bounds_radius_ = 0.0f;
+    RayLog* log_ = nullptr;
+};
+
+}  // namespace emulsion

@@ -1,0 +1,93 @@
+#pragma once
+// Light sources as next-event estimation sees them: draw a direction towards one, and say with what density.
+
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "pathtracer/sphere.h"
+#include "pathtracer/surface.h"
+
+namespace emulsion {
+
+/// One way to light a point. The radiance that arrives, unless something is in between, is scale * spectrum.
+struct EmitterSample {
+    Imath::V3f to_light{0.0f};  ///< unit vector
+    Imath::V3f target{0.0f};    ///< where the shadow ray ends; for infinitely far lights unused
+    bool infinite = false;      ///< the shadow ray has no end
+    float pdf = 0.0f;           ///< per steradian; 0: a light without extent, that no ray meets by chance
+    float scale = 0.0f;         ///< 0: this point is not lit by this sample
+};
+
+/// Emits from one triangle of a shape, to the side of the normal or to both.
+struct TriangleEmitter {
+    TriangleGeometry triangle;
+    bool two_sided = false;
+};
+
+/// Emits from a sphere, or from its image under an affine map.
+struct SphereEmitter {
+    PreparedSphere sphere;
+    bool two_sided = false;
+};
+
+/// An intensity at a point: irradiance falls with the squared distance.
+struct PointEmitter {
+    Imath::V3f position;
+};
+
+struct DistantEmitter {
+    Imath::V3f to_light;  ///< unit vector
+};
+
+/// The same radiance from everywhere.
+struct InfiniteEmitter {};
+
+using EmitterGeometry = std::variant<TriangleEmitter, SphereEmitter, PointEmitter, DistantEmitter, InfiniteEmitter>;
+
+struct Emitter {
+    EmitterGeometry geometry;
+    std::uint32_t spectrum = 0;          ///< which table of the prepared scene
+    float selection_probability = 0.0f;  ///< with which EmitterPicker picks it
+};
+
+/// Draws a direction from `from` towards the light, by two uniform numbers in [0, 1).
+[[nodiscard]] EmitterSample sample(const EmitterGeometry& emitter, const Imath::V3f& from,
+                                   std::array<float, 2> u) noexcept;
+
+/// Density per steradian with which sample() draws the direction in which a ray from `from` has met this emitter at
+/// `point`, with `distance` and unit `direction`.
+[[nodiscard]] float direction_pdf(const EmitterGeometry& emitter, const Imath::V3f& from, const Imath::V3f& direction,
+                                  const Imath::V3f& point, const Imath::V3f& normal) noexcept;
+
+/// Density of any direction towards an infinite emitter.
+inline constexpr float kInfiniteEmitterPdf = 0.25f * std::numbers::inv_pi_v<float>;
+
+/// Picks emitters with given probabilities, in constant time.
+/// Source: Walker, "An Efficient Method for Generating Discrete Random Variables", ACM TOMS 3(3), 1977; the tables as
+/// built by Vose (1991).
+class EmitterPicker {
+  public:
+    EmitterPicker() = default;
+    /// Weights are finite and >= 0, and their sum is positive.
+    explicit EmitterPicker(const std::vector<double>& weights);
+
+    /// u in [0, 1) to an index.
+    [[nodiscard]] std::uint32_t pick(float u) const noexcept {
+        const float scaled = u * static_cast<float>(cells_.size());
+        const auto i = std::min(static_cast<std::uint32_t>(scaled), static_cast<std::uint32_t>(cells_.size() - 1));
+        return scaled - static_cast<float>(i) < cells_[i].threshold ? i : cells_[i].alias;
+    }
+
+  private:
+    struct Cell {
+        float threshold = 1.0f;
+        std::uint32_t alias = 0;
+    };
+    std::vector<Cell> cells_;
+};
+
+}  // namespace emulsion

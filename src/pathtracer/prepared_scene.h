@@ -1,0 +1,57 @@
+#pragma once
+// A scene made ready for rendering: hierarchy, spectra as tables, light sources as a list to pick from.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pathtracer/accelerator.h"
+#include "pathtracer/emitters.h"
+#include "pathtracer/scene.h"
+#include "pathtracer/sphere.h"
+#include "spectrum/spectrum_table.h"
+
+namespace emulsion {
+
+class PreparedScene {
+  public:
+    /// Takes the scene over. `threads` as in parallel_for.
+    /// \throws std::invalid_argument naming what is out of range; std::runtime_error if Embree fails.
+    PreparedScene(Scene scene, int threads);
+
+    /// What shading needs to know of one shape of the scene.
+    struct PreparedShape {
+        const TriangleMesh* mesh = nullptr;  ///< or a sphere:
+        std::unique_ptr<PreparedSphere> sphere;
+        std::uint32_t reflectance = 0;               ///< table
+        std::optional<std::uint32_t> first_emitter;  ///< that of triangle i is this + i
+        bool two_sided = false;
+    };
+
+    [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+    [[nodiscard]] Accelerator& accelerator() noexcept { return *accelerator_; }
+    [[nodiscard]] const Accelerator& accelerator() const noexcept { return *accelerator_; }
+    [[nodiscard]] const PreparedShape& shape(std::uint32_t i) const noexcept { return shapes_[i]; }
+    [[nodiscard]] const SpectrumTable& spectrum(std::uint32_t i) const noexcept { return spectra_[i]; }
+    [[nodiscard]] const std::vector<Emitter>& emitters() const noexcept { return emitters_; }
+    [[nodiscard]] const EmitterPicker& picker() const noexcept { return picker_; }
+    /// Those that rays meet by leaving the scene.
+    [[nodiscard]] const std::vector<std::uint32_t>& infinite_emitters() const noexcept { return infinite_emitters_; }
+
+  private:
+    std::uint32_t add_spectrum(const Spectrum& spectrum, double scale);
+    void add_shape(const Shape& shape, std::vector<double>& powers);
+    void add_light(const Light& light, std::vector<double>& powers);
+
+    Scene scene_;
+    std::unique_ptr<Accelerator> accelerator_;
+    std::vector<SpectrumTable> spectra_;
+    std::vector<std::uint32_t> material_reflectance_;
+    std::vector<PreparedShape> shapes_;
+    std::vector<Emitter> emitters_;
+    std::vector<std::uint32_t> infinite_emitters_;
+    EmitterPicker picker_;
+};
+
+}  // namespace emulsion
