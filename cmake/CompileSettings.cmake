@@ -28,3 +28,9 @@ if(EMULSION_SANITIZE)
     -fsanitize=${EMULSION_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(emulsion_settings INTERFACE -fsanitize=${EMULSION_SANITIZE})
 endif()
+
+# The environment of every test: one variable, as gtest_discover_tests splits lists.
+set(EMULSION_TEST_ENVIRONMENT UBSAN_OPTIONS=print_stacktrace=1)
+if(EMULSION_SANITIZE MATCHES thread)
+  set(EMULSION_TEST_ENVIRONMENT TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp:halt_on_error=1)
+endif()

@@ -31,7 +31,8 @@ function(emulsion_test_room name)
   target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} GTest::gmock_main)
   target_compile_definitions(test_${name} PRIVATE
     EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EMULSION_PROGRAM="$<TARGET_FILE:emulsion>")
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT 600 ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
 endfunction()
 
 # One benchmark program per file: bench_film_add of bench/film/add.cpp.
