@@ -139,17 +139,18 @@ struct NamedText {
 template <NamedValue T>
 [[nodiscard]] T parse_parameters(const NamedText& text, std::string_view kind) {
     T value;
-    for (const auto& [name, number] : text.assignments) {
+    for (const auto& assignment : text.assignments) {
         std::vector<std::string_view> known;
         bool found = false;
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             known.push_back(parameter.name);
-            if (parameter.name != name) continue;
+            if (parameter.name != assignment.first) continue;
             found = true;
-            const std::string what = parameter_label(kind, T::kName, name);
-            std::visit([&](auto member) { parse_number(number, what, value.*member); }, parameter.member);
+            const std::string what = parameter_label(kind, T::kName, assignment.first);
+            std::visit([&](auto member) { parse_number(assignment.second, what, value.*member); }, parameter.member);
         }
-        if (!found) throw_unknown_name(parameter_label(kind, T::kName, "parameter"), name, std::move(known));
+        if (!found)
+            throw_unknown_name(parameter_label(kind, T::kName, "parameter"), assignment.first, std::move(known));
     }
     validate_named(value, kind);
     return value;

@@ -42,7 +42,7 @@ DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int thr
     Image<RGB> encoded(scene.width(), scene.height());
     report.gamut = encode_rows(mapped.image, pipeline, encoded, threads);
     mapped.image = {};  // its memory is needed no more
-    return {quantize(pipeline.dither, std::as_const(encoded).view(), threads), report};
+    return {quantize(pipeline.dither, encoded.view(), threads), report};
 }
 
 }  // namespace emulsion

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "display/curve_table.h"
+
 namespace emulsion {
 
 namespace {
@@ -13,17 +15,14 @@ constexpr double kExponent = 2.4;
 constexpr double kLinearKnee = 0.0031308;
 constexpr double kEncodedKnee = 0.04045;
 
-float encode_fast(float linear) noexcept {
-    if (linear <= static_cast<float>(kLinearKnee)) return static_cast<float>(kSlope) * linear;
-    return static_cast<float>(kScale) * std::pow(linear, static_cast<float>(1.0 / kExponent)) -
-           static_cast<float>(kOffset);
-}
+/// 1.055 x^(1/2.4) - 0.055, put so that 1 is met exactly in double precision.
+double encode_above_knee(double linear) noexcept { return 1.0 + kScale * (std::pow(linear, 1.0 / kExponent) - 1.0); }
 
 }  // namespace
 
 double encode(const SrgbTransfer& /*transfer*/, double linear) noexcept {
     if (linear <= kLinearKnee) return kSlope * linear;
-    return kScale * std::pow(linear, 1.0 / kExponent) - kOffset;
+    return encode_above_knee(linear);
 }
 
 double decode(const SrgbTransfer& /*transfer*/, double encoded) noexcept {
@@ -32,7 +31,11 @@ double decode(const SrgbTransfer& /*transfer*/, double encoded) noexcept {
 }
 
 void encode(const SrgbTransfer& /*transfer*/, std::span<RGB> linear) noexcept {
-    for (RGB& rgb : linear) rgb = {encode_fast(rgb.r), encode_fast(rgb.g), encode_fast(rgb.b)};
+    constexpr auto kKnee = static_cast<float>(kLinearKnee);
+    constexpr auto kSlopeF = static_cast<float>(kSlope);
+    static const CurveTable above_knee(encode_above_knee, kKnee);
+    const auto encoded = [](float x) noexcept { return x <= kKnee ? kSlopeF * x : above_knee(x); };
+    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
 }
 
 }  // namespace emulsion

@@ -23,7 +23,8 @@ struct SrgbTransfer {
 [[nodiscard]] double encode(const SrgbTransfer& transfer, double linear) noexcept;
 [[nodiscard]] double decode(const SrgbTransfer& transfer, double encoded) noexcept;
 
-/// In place, single precision.
+/// In place, in single precision: within 6e-8 of the specification (0.004 of a 16-bit code), 0 and 1 exactly to
+/// themselves, rising but for the step at the knee: measured over every float of [0.0005, 1]. Components in [0, 1].
 void encode(const SrgbTransfer& transfer, std::span<RGB> linear) noexcept;
 
 }  // namespace emulsion

@@ -42,7 +42,7 @@ struct LuminanceStatistics {
 };
 
 /// Sums in double precision, row by row in a fixed order: the same bits for every number of threads (0: all).
-/// ln is taken of products of up to 256 luminances, relative error of the log-average below 1e-13 of the twin's.
+/// ln is taken of products of up to 256 luminances, log-average within 1e-12 of the twin, relative.
 /// Source: Reinhard et al. 2002, eq. 1, with 1/N inside the exponential, where it belongs, and without delta.
 /// \throws std::invalid_argument if threads < 0.
 [[nodiscard]] LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads);

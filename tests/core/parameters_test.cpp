@@ -1,0 +1,186 @@
+#include "core/parameters.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "core/random.h"
+
+namespace emulsion {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::StrEq;
+using testing::ThrowsMessage;
+
+struct Plain {
+    static constexpr std::string_view kName = "plain";
+    static constexpr std::string_view kHelp = "nothing to set";
+    bool operator==(const Plain&) const = default;
+};
+
+struct Blur {
+    static constexpr std::string_view kName = "blur";
+    static constexpr std::string_view kHelp = "a picture out of focus";
+    float radius_px = 1.5f;
+    float strength = std::numeric_limits<float>::infinity();
+    int passes = 3;
+    bool operator==(const Blur&) const = default;
+
+    static constexpr std::array kParameters = {
+        Parameter<Blur>{"radius", &Blur::radius_px, kPositiveFinite, "px", "how far"},
+        Parameter<Blur>{"strength", &Blur::strength, kPositive, "", "how much"},
+        Parameter<Blur>{"passes", &Blur::passes, {1.0, 16.0}, "", "how often"}};
+};
+
+using Effect = std::variant<Plain, Blur>;
+
+/// What parsing a text says when it fails.
+std::string message_of(std::string_view text) {
+    try {
+        return "no error: " + to_text(parse_named<Effect>(text, "effect"));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+TEST(ParameterRange, EndsBelongWhenClosed) {
+    constexpr ParameterRange kHalfOpen{0.0, 1.0, RangeEnd::open, RangeEnd::closed};
+    EXPECT_FALSE(kHalfOpen.contains(0.0));
+    EXPECT_TRUE(kHalfOpen.contains(std::numeric_limits<double>::denorm_min()));
+    EXPECT_TRUE(kHalfOpen.contains(1.0));
+    EXPECT_FALSE(kHalfOpen.contains(std::nextafter(1.0, 2.0)));
+}
+
+TEST(ParameterRange, HoldsNoNan) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(ParameterRange{}.contains(nan));
+    EXPECT_FALSE(kFinite.contains(nan));
+    EXPECT_FALSE(kPositive.contains(nan));
+}
+
+TEST(ParameterRange, InfinityOnlyWhereSaid) {
+    EXPECT_TRUE(kPositive.contains(kInfinity));
+    EXPECT_FALSE(kPositiveFinite.contains(kInfinity));
+    EXPECT_FALSE(kFinite.contains(-kInfinity));
+    EXPECT_TRUE(ParameterRange{}.contains(-kInfinity));
+}
+
+TEST(ParameterRange, Text) {
+    EXPECT_EQ(to_text(kPositive), "(0, inf]");
+    EXPECT_EQ(to_text(kFinite), "(-inf, inf)");
+    EXPECT_EQ(to_text(ParameterRange{1.0, 16.0}), "[1, 16]");
+    EXPECT_EQ(to_text(ParameterRange{-0.5, 1e30}), "[-0.5, 1e+30]");
+}
+
+TEST(NamedValue, TextHoldsEveryParameter) {
+    EXPECT_EQ(to_text(Effect{Plain{}}), "plain");
+    EXPECT_EQ(to_text(Effect{Blur{}}), "blur:radius=1.5,strength=inf,passes=3");
+    EXPECT_EQ(to_text(Effect{Blur{0.1f, 1e-30f, 16}}), "blur:radius=0.1,strength=1e-30,passes=16");
+}
+
+TEST(NamedValue, LeftOutParametersHaveTheirDefault) {
+    EXPECT_EQ(parse_named<Effect>("blur", "effect"), Effect{Blur{}});
+    EXPECT_EQ(parse_named<Effect>("plain", "effect"), Effect{Plain{}});
+    EXPECT_EQ(parse_named<Effect>("blur:passes=7", "effect"), (Effect{Blur{1.5f, Blur{}.strength, 7}}));
+}
+
+TEST(NamedValue, ParametersComeInAnyOrder) {
+    EXPECT_EQ(parse_named<Effect>("blur:passes=2,strength=4,radius=3", "effect"), (Effect{Blur{3.0f, 4.0f, 2}}));
+}
+
+TEST(NamedValue, EveryFloatSurvivesItsText) {
+    Pcg32 random(20);
+    int tried = 0;
+    while (tried < 20000) {
+        const float value = std::abs(std::bit_cast<float>(random.next()));
+        if (!kPositiveFinite.contains(value)) continue;
+        const Effect effect = Blur{value, value, 1 + static_cast<int>(random.next() % 16)};
+        ASSERT_EQ(parse_named<Effect>(to_text(effect), "effect"), effect) << to_text(effect);
+        ++tried;
+    }
+}
+
+TEST(NamedValue, UnknownNameListsTheNearestFirst) {
+    EXPECT_EQ(message_of("blurr"), "effect \"blurr\": unknown; expected blur or plain");
+    EXPECT_EQ(message_of("plane"), "effect \"plane\": unknown; expected plain or blur");
+    EXPECT_EQ(message_of("Blur"), "effect \"Blur\": unknown; expected blur or plain");
+    EXPECT_EQ(message_of(""), "effect \"\": unknown; expected blur or plain");
+}
+
+TEST(NamedValue, UnknownParameterListsTheNearestFirst) {
+    EXPECT_EQ(message_of("blur:pass=1"),
+              "effect blur: parameter \"pass\": unknown; expected passes, radius or strength");
+    EXPECT_EQ(message_of("plain:radius=1"), "effect plain: parameter \"radius\": unknown; there are none");
+}
+
+TEST(NamedValue, OutOfRangeNamesTheRange) {
+    EXPECT_EQ(message_of("blur:radius=0"), "effect blur: radius = 0: must be in (0, inf)");
+    EXPECT_EQ(message_of("blur:radius=inf"), "effect blur: radius = inf: must be in (0, inf)");
+    EXPECT_EQ(message_of("blur:strength=-0.1"), "effect blur: strength = -0.1: must be in (0, inf]");
+    EXPECT_EQ(message_of("blur:passes=17"), "effect blur: passes = 17: must be in [1, 16]");
+    EXPECT_EQ(message_of("blur:strength=nan"), "effect blur: strength = nan: must be in (0, inf]");
+}
+
+TEST(NamedValue, MalformedNumberSaysSo) {
+    for (const char* text : {"", "x", "1x", " 1", "1 ", "+1", "1,5", "0x10", "--1", "1e", "."}) {
+        const std::string assignment = std::string("blur:radius=") + text;
+        EXPECT_NE(message_of(assignment).find("effect blur"), std::string::npos) << assignment;
+        EXPECT_EQ(message_of(assignment).find("no error"), std::string::npos) << assignment;
+    }
+    EXPECT_EQ(message_of("blur:radius=1x"), "effect blur: radius = \"1x\": not a number");
+    EXPECT_EQ(message_of("blur:passes=2.5"), "effect blur: passes = \"2.5\": not a whole number");
+    EXPECT_EQ(message_of("blur:passes=1e1"), "effect blur: passes = \"1e1\": not a whole number");
+    EXPECT_EQ(message_of("blur:radius=1e39"), "effect blur: radius = \"1e39\": too large or too small to be held");
+    EXPECT_EQ(message_of("blur:radius=1e-60"), "effect blur: radius = \"1e-60\": too large or too small to be held");
+    EXPECT_EQ(message_of("blur:passes=3000000000"),
+              "effect blur: passes = \"3000000000\": too large or too small to be held");
+}
+
+TEST(NamedValue, MalformedListSaysSo) {
+    EXPECT_EQ(message_of("blur:"), "effect blur: found \"\", expected parameter=value");
+    EXPECT_EQ(message_of("blur:radius"), "effect blur: found \"radius\", expected parameter=value");
+    EXPECT_EQ(message_of("blur:radius=1,"), "effect blur: found \"\", expected parameter=value");
+    EXPECT_EQ(message_of("blur:=1"), "effect blur: found \"=1\", expected parameter=value");
+    EXPECT_EQ(message_of("blur:radius=1,radius=1"), "effect blur: radius: given twice");
+}
+
+TEST(NamedValue, ValidateNamesTheParameter) {
+    EXPECT_NO_THROW(validate_named(Effect{Blur{}}, "effect"));
+    EXPECT_THAT(
+        [] {
+            validate_named(Effect{Blur{1.0f, 1.0f, 0}}, "effect");
+        },
+        ThrowsMessage<std::invalid_argument>(StrEq("effect blur: passes = 0: must be in [1, 16]")));
+    EXPECT_THAT(
+        [] {
+            validate_named(Blur{0.0f, 1.0f, 1});
+        },
+        ThrowsMessage<std::invalid_argument>(StrEq("blur: radius = 0: must be in (0, inf)")));
+}
+
+TEST(NamedValue, DescribesEveryAlternative) {
+    const auto all = describe_named<Effect>();
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].name, "plain");
+    EXPECT_THAT(all[0].parameters, IsEmpty());
+    EXPECT_EQ(all[1].help, "a picture out of focus");
+    EXPECT_THAT(all[1].parameters, ElementsAre(ParameterDescription{"radius", "1.5", "(0, inf)", "px", "how far"},
+                                               ParameterDescription{"strength", "inf", "(0, inf]", "", "how much"},
+                                               ParameterDescription{"passes", "3", "[1, 16]", "", "how often"}));
+    EXPECT_THAT(names_of<Effect>(), ElementsAre("plain", "blur"));
+}
+
+}  // namespace
+}  // namespace emulsion

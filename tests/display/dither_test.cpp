@@ -1,0 +1,212 @@
+#include "display/dither.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "core/random.h"
+
+namespace emulsion {
+namespace {
+
+constexpr std::int64_t kUnitsPerCode = 65536;
+
+Image<RGB> constant_picture(int width, int height, float value) {
+    Image<RGB> picture(width, height);
+    for (RGB& p : picture.pixels()) p = {value, value, value};
+    return picture;
+}
+
+Image<RGB> random_picture(int width, int height, unsigned seed) {
+    Pcg32 random(seed);
+    Image<RGB> picture(width, height);
+    for (RGB& p : picture.pixels()) p = {random.next_float(), random.next_float(), random.next_float()};
+    return picture;
+}
+
+double mean_red(const Image<CodeRGB>& codes) {
+    std::int64_t sum = 0;
+    for (const CodeRGB& c : codes.pixels()) sum += c.r;
+    return static_cast<double>(sum) / (255.0 * static_cast<double>(codes.pixels().size()));
+}
+
+/// Sum of the values, each rounded to a unit of 2^-16 code, less the sum of the codes: what was lost. In units.
+BasicRGB<std::int64_t> lost_units(const Image<RGB>& encoded, const Image<CodeRGB>& codes) {
+    const auto lost = [](float value, int code) {
+        return std::llround(static_cast<double>(value) * 255.0 * kUnitsPerCode) - code * kUnitsPerCode;
+    };
+    BasicRGB<std::int64_t> sum;
+    for (std::size_t i = 0; i < encoded.pixels().size(); ++i) {
+        const RGB& value = encoded.pixels()[i];
+        const CodeRGB& code = codes.pixels()[i];
+        sum = sum + BasicRGB<std::int64_t>{lost(value.r, code.r), lost(value.g, code.g), lost(value.b, code.b)};
+    }
+    return sum;
+}
+
+// --- Every dither
+
+TEST(Dither, CodesAreKeptExactly) {
+    for_each_alternative<Dither>([](const auto& dither) {
+        Image<RGB> ramp(256, 3);
+        for (int x = 0; x < 256; ++x) {
+            for (int y = 0; y < 3; ++y) ramp(x, y) = static_cast<float>(x) / 255.0f * RGB{1.0f, 1.0f, 1.0f};
+        }
+        const Image<CodeRGB> codes = quantize(Dither(dither), ramp.view(), 1);
+        for (int x = 0; x < 256; ++x) {
+            const auto code = static_cast<std::uint8_t>(x);
+            for (int y = 0; y < 3; ++y) EXPECT_EQ(codes(x, y), (CodeRGB{code, code, code})) << x;
+        }
+    });
+}
+
+TEST(Dither, CodesAreNeighboursOfAConstant) {
+    for_each_alternative<Dither>([](const auto& dither) {
+        for (int grey = 0; grey <= 1020; grey += 17) {
+            const float value = static_cast<float>(grey) / 1020.0f;
+            const Image<CodeRGB> codes = quantize(Dither(dither), constant_picture(64, 64, value).view(), 1);
+            for (const CodeRGB& c : codes.pixels()) ASSERT_LE(std::abs(c.r - 255.0 * value), 1.0001) << value;
+        }
+    });
+}
+
+TEST(Dither, AnyBitsGiveDefinedCodes) {
+    for_each_alternative<Dither>([](const auto& dither) {
+        constexpr float kInf = std::numeric_limits<float>::infinity();
+        Image<RGB> bad(3, 1);
+        bad(0, 0) = {std::numeric_limits<float>::quiet_NaN(), -1.0f, -0.0f};
+        bad(1, 0) = {kInf, 1e30f, 1.0f};
+        bad(2, 0) = {-kInf, 0.0f, 2.0f};
+        const Image<CodeRGB> codes = quantize(Dither(dither), bad.view(), 1);
+        EXPECT_EQ(codes(0, 0), (CodeRGB{0, 0, 0}));
+        EXPECT_EQ(codes(1, 0), (CodeRGB{255, 255, 255}));
+        EXPECT_EQ(codes(2, 0), (CodeRGB{0, 0, 255}));
+    });
+}
+
+TEST(Dither, SameCodesForEveryNumberOfThreads) {
+    for_each_alternative<Dither>([](const auto& dither) {
+        const Image<RGB> picture = random_picture(301, 203, 50);
+        const Image<CodeRGB> one = quantize(Dither(dither), picture.view(), 1);
+        for (const int threads : {2, 5, 0}) EXPECT_EQ(quantize(Dither(dither), picture.view(), threads), one);
+    });
+}
+
+TEST(Dither, RejectsWhatItCannotDo) {
+    for_each_alternative<Dither>([](const auto& dither) {
+        const Image<RGB> picture(2, 2);
+        Image<CodeRGB> smaller(1, 2);
+        EXPECT_THROW((void)quantize(Dither(dither), Image<RGB>().view(), 1), std::invalid_argument);
+        EXPECT_THROW((void)quantize(Dither(dither), picture.view(), -1), std::invalid_argument);
+        EXPECT_THROW(quantize_into(Dither(dither), picture.view(), smaller.view(), 1), std::invalid_argument);
+    });
+}
+
+// --- Rounding
+
+TEST(NoDither, RoundsToNearestWithHalvesUp) {
+    const auto code = [](float value) {
+        return static_cast<int>(quantize(NoDither{}, constant_picture(1, 1, value).view(), 1)(0, 0).g);
+    };
+    EXPECT_EQ(code(0.5f), 128);  // 127.5
+    EXPECT_EQ(code(std::nextafter(0.5f, 0.0f)), 127);
+    for (int i = 0; i < 255; ++i) {
+        const auto edge = static_cast<float>((i + 0.5) / 255.0);
+        EXPECT_EQ(code(edge), static_cast<int>(std::floor(255.0 * edge + 0.5))) << i;
+        EXPECT_EQ(code(edge - 1e-6f), i);
+        EXPECT_EQ(code(edge + 1e-6f), i + 1);
+    }
+}
+
+// --- Floyd-Steinberg
+
+// All 1024 greys in 256 x 256 pixels; only the last pixel's error is lost, so that 1e-4 is far more than needed.
+TEST(FloydSteinberg, KeepsTheMeanOfEveryGrey) {
+    for (int grey = 0; grey < 1024; ++grey) {
+        const float value = static_cast<float>(grey) / 1023.0f;
+        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(256, 256, value).view(), 1);
+        ASSERT_NEAR(mean_red(codes), value, 1e-7) << value;
+    }
+}
+
+TEST(FloydSteinberg, LosesTheErrorOfTheLastPixelAndNothingElse) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 97}, {97, 1}, {2, 2}, {2, 53}, {3, 2}, {101, 103}}) {
+        const Image<RGB> picture = random_picture(width, height, 51);
+        const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), 1));
+        for (const std::int64_t units : {lost.r, lost.g, lost.b}) {
+            EXPECT_LE(std::abs(units), kUnitsPerCode) << width << "x" << height;
+        }
+    }
+    // With a last pixel that can take any error, none beyond half a code is lost.
+    Image<RGB> picture = random_picture(64, 64, 52);
+    picture(63, 63) = {0.5f, 0.5f, 0.5f};
+    const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), 1));
+    for (const std::int64_t units : {lost.r, lost.g, lost.b}) EXPECT_LE(std::abs(units), kUnitsPerCode / 2);
+}
+
+// By hand, in codes: 100.4 gives 100 and hands on 0.4, 7/13 of it to the right in the first column: 100.615 gives 101.
+TEST(FloydSteinberg, FirstPixelsByHand) {
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(3, 2, 100.4f / 255.0f).view(), 1);
+    // Row 0: 100.4 -> 100 (+.4); 100.6154 -> 101 (-.3846); 100.4 - 7/16 .3846 = 100.2317 -> 100 (+.2317).
+    EXPECT_EQ(codes(0, 0).r, 100);
+    EXPECT_EQ(codes(1, 0).r, 101);
+    EXPECT_EQ(codes(2, 0).r, 100);
+    // Row 1: 100.4 + 5/13 .4 - 3/16 .3846 = 100.4817 -> 100 (+.4817); the next
+    // 100.4 + .4817 + 1/13 .4 - 5/16 .3846 + 3/8 .2317 = 100.8792 -> 101 (-.1208); the last
+    // 100.4 - .1208 - 1/16 .3846 + 5/8 .2317 = 100.4000 -> 100. Sum 602 of 602.4: the last 0.4 is lost.
+    EXPECT_EQ(codes(0, 1).r, 100);
+    EXPECT_EQ(codes(1, 1).r, 101);
+    EXPECT_EQ(codes(2, 1).r, 100);
+}
+
+TEST(FloydSteinberg, ChannelsAreIndependent) {
+    const Image<RGB> picture = random_picture(57, 41, 53);
+    Image<RGB> swapped = picture;
+    for (RGB& p : swapped.pixels()) p = {p.b, 0.0f, p.r};
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+    const Image<CodeRGB> swapped_codes = quantize(FloydSteinberg{}, swapped.view(), 1);
+    for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
+        ASSERT_EQ(swapped_codes.pixels()[i], (CodeRGB{codes.pixels()[i].b, 0, codes.pixels()[i].r}));
+    }
+}
+
+// A bright part must not be left with errors of the dark one: means of 16 x 16 blocks within a code.
+TEST(FloydSteinberg, KeepsTheMeanOfBlocks) {
+    const Image<RGB> picture = random_picture(128, 128, 54);
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+    for (int by = 0; by < 128; by += 16) {
+        for (int bx = 0; bx < 128; bx += 16) {
+            double difference = 0.0;
+            for (int y = by; y < by + 16; ++y) {
+                for (int x = bx; x < bx + 16; ++x) difference += codes(x, y).g - 255.0 * picture(x, y).g;
+            }
+            EXPECT_LT(std::abs(difference) / 256.0, 0.1) << bx << ", " << by;
+        }
+    }
+}
+
+// Errors that a saturated last row cannot take are carried to its end, and do not overflow.
+TEST(FloydSteinberg, SurvivesSaturation) {
+    Image<RGB> picture(70000, 2);
+    for (int x = 0; x < picture.width(); ++x) {
+        picture(x, 0) = {0.9999f, 0.9995f, 0.001f};
+        picture(x, 1) = {1.0f, 1.0f, 0.0f};
+    }
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+    for (int x = 0; x < picture.width(); ++x) {
+        ASSERT_GE(codes(x, 1).r, 254);
+        ASSERT_GE(codes(x, 1).g, 254);
+        ASSERT_LE(codes(x, 1).b, 1);
+    }
+}
+
+}  // namespace
+}  // namespace emulsion

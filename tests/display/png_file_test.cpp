@@ -1,0 +1,220 @@
+#include "display/png_file.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace emulsion {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A folder of its own for each test, removed afterwards.
+class PngFile : public testing::Test {
+  protected:
+    PngFile() {
+        std::string name = (std::filesystem::temp_directory_path() / "emulsion-png-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        folder_ = name;
+    }
+    ~PngFile() override { std::filesystem::remove_all(folder_); }
+
+    [[nodiscard]] std::filesystem::path file(std::string_view name) const { return folder_ / name; }
+    [[nodiscard]] std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_)) names.push_back(entry.path().filename());
+        return names;
+    }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+Image<CodeRGB> random_image(int width, int height) {
+    Pcg32 random(60);
+    Image<CodeRGB> image(width, height);
+    for (CodeRGB& p : image.pixels()) {
+        const std::uint32_t bits = random.next();
+        p = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8u),
+             static_cast<std::uint8_t>(bits >> 16u)};
+    }
+    return image;
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::uint32_t big_endian(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (const char c : bytes.substr(0, 4)) value = (value << 8u) | static_cast<unsigned char>(c);
+    return value;
+}
+
+struct Chunk {
+    std::string type, data;
+};
+
+/// The chunks of a PNG file in their order, by the format and not by libpng.
+std::vector<Chunk> chunks_of(const std::string& png) {
+    std::vector<Chunk> chunks;
+    std::size_t at = 8;
+    while (at + 12 <= png.size()) {
+        const std::size_t length = big_endian(std::string_view(png).substr(at));
+        chunks.push_back({png.substr(at + 4, 4), png.substr(at + 8, length)});
+        at += 12 + length;
+    }
+    EXPECT_EQ(at, png.size());
+    return chunks;
+}
+
+std::string data_of(const std::vector<Chunk>& chunks, std::string_view type) {
+    const auto found = std::find_if(chunks.begin(), chunks.end(), [&](const Chunk& c) { return c.type == type; });
+    return found == chunks.end() ? "no such chunk" : found->data;
+}
+
+/// libpng's simplified reader.
+Image<CodeRGB> read_back(const std::filesystem::path& path) {
+    png_image reader{};
+    reader.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&reader, path.c_str()) == 0) throw std::runtime_error(reader.message);
+    EXPECT_EQ(reader.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
+    reader.format = PNG_FORMAT_RGB;
+    Image<CodeRGB> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
+    if (png_image_finish_read(&reader, nullptr, &image(0, 0).r, 0, nullptr) == 0) {
+        throw std::runtime_error(reader.message);
+    }
+    return image;
+}
+
+TEST_F(PngFile, ReadsBackAsWritten) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 300}, {300, 1}, {211, 97}}) {
+        const Image<CodeRGB> image = random_image(width, height);
+        write_png(file("a.png"), image);
+        EXPECT_EQ(read_back(file("a.png")), image) << width << "x" << height;
+    }
+    EXPECT_THAT(files(), ElementsAre("a.png"));
+}
+
+TEST_F(PngFile, SaysThatItIsSrgb) {
+    write_png(file("a.png"), random_image(5, 4));
+    const std::vector<Chunk> chunks = chunks_of(bytes_of(file("a.png")));
+    EXPECT_EQ(data_of(chunks, "sRGB"), std::string(1, '\1'));  // relative colorimetric
+    EXPECT_EQ(big_endian(data_of(chunks, "gAMA")), 45455u);
+    const std::string chromaticities = data_of(chunks, "cHRM");
+    ASSERT_EQ(chromaticities.size(), 32u);
+    std::vector<std::uint32_t> values;
+    for (std::size_t i = 0; i < 32; i += 4) values.push_back(big_endian(chromaticities.substr(i)));
+    EXPECT_THAT(values, ElementsAre(31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000));
+}
+
+TEST_F(PngFile, CarriesText) {
+    const PngOptions options{{{"Pipeline", "tonemap=max-to-white"}, {"Command Line", "render caf\xc3\xa9"}}};
+    write_png(file("a.png"), random_image(5, 4), options);
+    const std::vector<Chunk> chunks = chunks_of(bytes_of(file("a.png")));
+    using std::string_literals::operator""s;
+    EXPECT_EQ(data_of(chunks, "tEXt"), "Pipeline\0tonemap=max-to-white"s);
+    EXPECT_EQ(data_of(chunks, "iTXt"), "Command Line\0\0\0\0\0render caf\xc3\xa9"s);
+}
+
+TEST_F(PngFile, SamePictureSameBytes) {
+    const PngOptions options{{{"Pipeline", "x"}}};
+    write_png(file("a.png"), random_image(64, 64), options);
+    write_png(file("b.png"), random_image(64, 64), options);
+    EXPECT_EQ(bytes_of(file("a.png")), bytes_of(file("b.png")));
+}
+
+TEST_F(PngFile, RejectsBadArguments) {
+    const Image<CodeRGB> image = random_image(2, 2);
+    const auto write_with = [&](PngText text) { write_png(file("a.png"), image, {{std::move(text)}}); };
+    for (const char* keyword : {"", " a", "a ", "a  b", "a\n", "caf\xc3\xa9"}) {
+        EXPECT_THROW(write_with({keyword, "text"}), std::invalid_argument) << keyword;
+    }
+    EXPECT_THROW(write_with({std::string(80, 'k'), "text"}), std::invalid_argument);
+    EXPECT_NO_THROW(write_with({std::string(79, 'k'), "text"}));
+    std::filesystem::remove(file("a.png"));
+    EXPECT_THROW(write_with({"key", std::string("a\0b", 3)}), std::invalid_argument);
+    EXPECT_THROW(write_png(file("a.png"), Image<CodeRGB>()), std::invalid_argument);
+    EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(PngFile, MissingFolderIsAnIoError) {
+    try {
+        write_png(file("nowhere") / "a.png", random_image(2, 2));
+        FAIL() << "no exception";
+    } catch (const IoError& error) {
+        EXPECT_EQ(error.path(), file("nowhere") / "a.png");
+        EXPECT_THAT(error.reason(), HasSubstr("No such file or directory"));
+    }
+}
+
+/// Exit status of a child that writes with a limit on the size of files: 0 if it saw the right error.
+int status_with_file_limit(const std::filesystem::path& path, const Image<CodeRGB>& image, rlim_t limit_bytes) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{limit_bytes, limit_bytes};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        int status = 1;
+        try {
+            write_png(path, image);
+        } catch (const IoError& error) {
+            const bool right = error.path() == path && error.reason().find("File too large") != std::string::npos;
+            status = right ? 0 : 2;
+        }
+        ::_exit(status);
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// The limit strikes in the first buffer, in the middle, and in the last bytes, which are written on closing.
+TEST_F(PngFile, FullDiskLeavesWhatWasThere) {
+    const Image<CodeRGB> image = random_image(200, 200);
+    write_png(file("whole.png"), image);
+    const auto size = std::filesystem::file_size(file("whole.png"));
+    std::ofstream(file("old.png")) << "old";
+    for (const auto limit : {std::uintmax_t{1}, std::uintmax_t{5000}, size / 2, size - 1}) {
+        EXPECT_EQ(status_with_file_limit(file("new.png"), image, limit), 0) << limit;
+        EXPECT_EQ(status_with_file_limit(file("old.png"), image, limit), 0) << limit;
+    }
+    EXPECT_EQ(bytes_of(file("old.png")), "old");
+    std::vector<std::string> names = files();
+    std::sort(names.begin(), names.end());
+    EXPECT_THAT(names, ElementsAre("old.png", "whole.png"));
+}
+
+TEST_F(PngFile, ReplacesAnOldFile) {
+    std::ofstream(file("a.png")) << "old";
+    const Image<CodeRGB> image = random_image(3, 3);
+    write_png(file("a.png"), image);
+    EXPECT_EQ(read_back(file("a.png")), image);
+    EXPECT_THAT(files(), ElementsAre("a.png"));
+}
+
+}  // namespace
+}  // namespace emulsion

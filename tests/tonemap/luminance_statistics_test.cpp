@@ -1,0 +1,113 @@
+#include "tonemap/luminance_statistics.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "test_pictures.h"
+
+namespace emulsion {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+LuminanceStatistics of(const Image<XYZ>& scene, int threads = 1) { return luminance_statistics(scene.view(), threads); }
+
+TEST(LuminanceStatistics, PowersOfTwoHaveTheirGeometricMean) {
+    Image<XYZ> scene(3, 1);
+    scene(0, 0) = grey(2.0f);
+    scene(1, 0) = grey(4.0f);
+    scene(2, 0) = grey(8.0f);
+    const LuminanceStatistics statistics = of(scene);
+    EXPECT_DOUBLE_EQ(statistics.log_average_cdm2, 4.0);
+    EXPECT_EQ(statistics.min_positive_cdm2, 2.0);
+    EXPECT_EQ(statistics.max_cdm2, 8.0);
+    EXPECT_EQ(statistics.counts.positive, 3);
+    EXPECT_FALSE(statistics.first_bad_px.has_value());
+}
+
+// A running sum in single precision gives 14.5 for 8 megapixels of 20 cd/m^2.
+TEST(LuminanceStatistics, ManyEqualPixelsAverageToTheirValue) {
+    Image<XYZ> scene(4096, 2048);
+    for (XYZ& pixel : scene.pixels()) pixel = grey(20.0f);
+    EXPECT_NEAR(of(scene, 0).log_average_cdm2, 20.0, 20.0 * 1e-12);
+}
+
+TEST(LuminanceStatistics, ZerosAreCountedAndLeftOut) {
+    Image<XYZ> scene(4, 1);
+    scene(0, 0) = grey(2.0f);
+    scene(3, 0) = grey(8.0f);
+    scene(1, 0).y = -0.0f;
+    const LuminanceStatistics statistics = of(scene);
+    EXPECT_DOUBLE_EQ(statistics.log_average_cdm2, 4.0);
+    EXPECT_EQ(statistics.counts.zero, 2);
+    EXPECT_EQ(statistics.min_positive_cdm2, 2.0);
+    EXPECT_FALSE(statistics.first_bad_px.has_value());
+}
+
+TEST(LuminanceStatistics, BadPixelsAreCountedAndTheFirstIsNamed) {
+    Image<XYZ> scene(3, 3);
+    for (XYZ& pixel : scene.pixels()) pixel = grey(5.0f);
+    scene(2, 1) = {kNan, 5.0f, 5.0f};
+    scene(1, 1) = {5.0f, -1.0f, 5.0f};
+    scene(0, 2) = {5.0f, 5.0f, kInf};
+    scene(1, 2) = {5.0f, -kInf, 5.0f};
+    scene(2, 2) = {kInf, kNan, -1.0f};
+    const LuminanceStatistics statistics = of(scene);
+    EXPECT_EQ(statistics.counts, (PixelCounts{4, 0, 2, 2, 1}));
+    EXPECT_EQ(statistics.counts.bad(), 5);
+    EXPECT_EQ(statistics.first_bad_px, std::make_pair(1, 1));
+    EXPECT_NEAR(statistics.log_average_cdm2, 5.0, 1e-14);
+}
+
+TEST(LuminanceStatistics, NegativeXAndZAreColoursNotErrors) {
+    EXPECT_EQ(classify({-1.0f, 1.0f, -1.0f}), PixelClass::positive);
+    EXPECT_EQ(classify({-1.0f, 0.0f, -1.0f}), PixelClass::zero);
+    EXPECT_EQ(classify({-kInf, 1.0f, 0.0f}), PixelClass::infinite);
+}
+
+TEST(LuminanceStatistics, WithoutPositivePixelsEverythingIsZero) {
+    const LuminanceStatistics statistics = of(Image<XYZ>(5, 4));
+    EXPECT_EQ(statistics.log_average_cdm2, 0.0);
+    EXPECT_EQ(statistics.min_positive_cdm2, 0.0);
+    EXPECT_EQ(statistics.max_cdm2, 0.0);
+    EXPECT_EQ(statistics.counts, (PixelCounts{0, 20, 0, 0, 0}));
+    EXPECT_EQ(luminance_statistics_reference(Image<XYZ>(5, 4).view()), statistics);
+}
+
+// Every float that is not bad, denormals included, as bit patterns.
+TEST(LuminanceStatistics, AgreesWithItsTwinOverTheWholeRange) {
+    Pcg32 random(1);
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 3001}, {3001, 1}, {257, 263}, {20000, 3}}) {
+        Image<XYZ> scene(width, height);
+        for (XYZ& pixel : scene.pixels()) pixel = grey(std::bit_cast<float>(random.next() % 0x7f800000u));
+        const LuminanceStatistics fast = of(scene, 0);
+        const LuminanceStatistics exact = luminance_statistics_reference(scene.view());
+        EXPECT_NEAR(fast.log_average_cdm2 / exact.log_average_cdm2, 1.0, 1e-12) << width << "x" << height;
+        EXPECT_EQ(fast.min_positive_cdm2, exact.min_positive_cdm2);
+        EXPECT_EQ(fast.max_cdm2, exact.max_cdm2);
+        EXPECT_EQ(fast.counts, exact.counts);
+    }
+}
+
+TEST(LuminanceStatistics, SameBitsForEveryNumberOfThreads) {
+    const Image<XYZ> scene = random_scene(1021, 509, 3);
+    const LuminanceStatistics one = of(scene, 1);
+    for (const int threads : {2, 3, 8, 0}) EXPECT_EQ(of(scene, threads), one) << threads;
+}
+
+TEST(LuminanceStatistics, ScalesWithTheUnit) {
+    Image<XYZ> scene = random_scene(64, 64, 4);
+    scene(5, 5) = {};
+    const LuminanceStatistics before = of(scene);
+    for (XYZ& pixel : scene.pixels()) pixel = 0x1p-40f * pixel;
+    EXPECT_NEAR(of(scene).log_average_cdm2 / (0x1p-40 * before.log_average_cdm2), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace emulsion

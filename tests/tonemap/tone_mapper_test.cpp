@@ -1,0 +1,242 @@
+// Properties that every operator has: each test runs for every alternative of the variant.
+
+#include "tonemap/tone_mapper.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "test_pictures.h"
+
+namespace emulsion {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr XYZ kWhite{0.95f, 1.0f, 1.09f};
+constexpr XYZd kWhiteD{0.95, 1.0, 1.09};
+
+/// Every operator with its defaults.
+std::vector<ToneMapper> all_mappers() {
+    std::vector<ToneMapper> mappers;
+    for_each_alternative<ToneMapper>([&](const auto& mapper) { mappers.emplace_back(mapper); });
+    return mappers;
+}
+
+class EveryToneMapper : public testing::TestWithParam<ToneMapper> {
+  protected:
+    [[nodiscard]] static Image<XYZ> map(const Image<XYZ>& scene, int threads = 1) {
+        return tone_map(GetParam(), scene.view(), kWhite, threads).image;
+    }
+};
+
+bool is_sound(const XYZ& p) noexcept {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && p.y >= 0.0f;
+}
+
+void expect_sound(const Image<XYZ>& image) {
+    EXPECT_TRUE(std::all_of(image.pixels().begin(), image.pixels().end(), is_sound));
+}
+
+/// |fast - exact| <= 1e-6 |exact| + 1e-37 in each component: the stated tolerance.
+void expect_close(const XYZ& fast, const XYZd& exact, const std::string& where) {
+    const auto close = [](float a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b) + 1e-37; };
+    EXPECT_TRUE(close(fast.x, exact.x) && close(fast.y, exact.y) && close(fast.z, exact.z))
+        << where << ": " << fast.x << " " << fast.y << " " << fast.z << ", exactly " << exact.x << " " << exact.y << " "
+        << exact.z;
+}
+
+void expect_twin(const ToneMapper& mapper, const Image<XYZ>& scene) {
+    const Image<XYZ> fast = tone_map(mapper, scene.view(), kWhite, 0).image;
+    const Image<XYZd> exact = tone_map_reference(mapper, scene.view(), kWhiteD);
+    expect_sound(fast);
+    for (int y = 0; y < scene.height(); ++y) {
+        for (int x = 0; x < scene.width(); ++x) {
+            expect_close(fast(x, y), exact(x, y),
+                         to_text(mapper) + " at " + std::to_string(x) + ", " + std::to_string(y));
+            if (testing::Test::HasFailure()) return;
+        }
+    }
+}
+
+TEST_P(EveryToneMapper, AgreesWithItsTwin) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 1009}, {1009, 1}, {127, 131}}) {
+        expect_twin(GetParam(), random_scene(width, height, 5));
+    }
+}
+
+// Every float, bad ones included, in every component: the darkest and the brightest pixel are 76 decades apart.
+TEST_P(EveryToneMapper, AgreesWithItsTwinOnAnyBits) {
+    Pcg32 random(6);
+    Image<XYZ> scene(211, 223);
+    for (XYZ& pixel : scene.pixels()) {
+        pixel = {std::bit_cast<float>(random.next()), std::bit_cast<float>(random.next()),
+                 std::bit_cast<float>(random.next())};
+    }
+    expect_twin(GetParam(), scene);
+}
+
+// Pictures that are as a whole far from 1 cd/m^2, down to denormals.
+TEST_P(EveryToneMapper, AgreesWithItsTwinInEveryDecade) {
+    for (int decade = -44; decade <= 34; ++decade) {
+        Image<XYZ> scene = random_scene(16, 16, 7);
+        const auto factor = static_cast<float>(std::pow(10.0, decade));
+        for (XYZ& pixel : scene.pixels()) pixel = factor * pixel;
+        expect_twin(GetParam(), scene);
+    }
+}
+
+TEST_P(EveryToneMapper, BlackStaysBlack) {
+    const Image<XYZ> mapped = map(Image<XYZ>(7, 3));
+    for (const XYZ& pixel : mapped.pixels()) EXPECT_EQ(pixel, XYZ{});
+}
+
+TEST_P(EveryToneMapper, ConstantStaysConstantAndIsNotBlack) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 4099}, {4099, 1}, {31, 37}}) {
+        Image<XYZ> scene(width, height);
+        for (XYZ& pixel : scene.pixels()) pixel = {90.0f, 100.0f, 110.0f};
+        const Image<XYZ> mapped = map(scene);
+        EXPECT_GT(mapped(0, 0).y, 0.0f);
+        for (const XYZ& pixel : mapped.pixels()) EXPECT_EQ(pixel, mapped(0, 0));
+    }
+}
+
+TEST_P(EveryToneMapper, OneBrightPixelAmongBlackIsShown) {
+    Image<XYZ> scene(5, 5);
+    scene(2, 2) = grey(3.0f);
+    const Image<XYZ> mapped = map(scene);
+    EXPECT_GT(mapped(2, 2).y, 0.1f);
+    EXPECT_LE(mapped(2, 2).y, 1.0f);
+    EXPECT_EQ(mapped(0, 0), XYZ{});
+}
+
+TEST_P(EveryToneMapper, KeepsChromaticity) {
+    const Image<XYZ> scene = random_scene(64, 64, 8);
+    const Image<XYZ> mapped = map(scene);
+    for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
+        const XYZ before = scene.pixels()[i], after = mapped.pixels()[i];
+        EXPECT_NEAR(after.x / after.y, before.x / before.y, 1e-6f);
+        EXPECT_NEAR(after.z / after.y, before.z / before.y, 1e-6f);
+    }
+}
+
+TEST_P(EveryToneMapper, IsMonotone) {
+    Image<XYZ> ramp(10000, 1);
+    for (int x = 0; x < ramp.width(); ++x) ramp(x, 0) = grey(0.01f * static_cast<float>(x));
+    const Image<XYZ> mapped = map(ramp);
+    for (int x = 1; x < ramp.width(); ++x) EXPECT_GE(mapped(x, 0).y, mapped(x - 1, 0).y) << x;
+}
+
+TEST_P(EveryToneMapper, DoesNotDependOnTheUnit) {
+    const Image<XYZ> scene = random_scene(61, 67, 9);
+    const Image<XYZ> mapped = map(scene);
+    for (const float factor : {1e-12f, 1e-30f, 1e12f, 1e30f}) {
+        Image<XYZ> other = scene;
+        for (XYZ& pixel : other.pixels()) pixel = factor * pixel;
+        const Image<XYZ> other_mapped = map(other);
+        for (std::size_t i = 0; i < mapped.pixels().size(); ++i) {
+            ASSERT_NEAR(other_mapped.pixels()[i].y, mapped.pixels()[i].y, 2e-6f * mapped.pixels()[i].y) << factor;
+        }
+    }
+}
+
+// The picture as before, to the bit, but for the log-average of one pixel less.
+TEST_P(EveryToneMapper, BadPixelsBecomeDefinedAndLeaveTheOthers) {
+    const Image<XYZ> clean = random_scene(64, 64, 10);
+    const Image<XYZ> clean_mapped = map(clean);
+    Image<XYZ> scene = clean;
+    scene(3, 2) = {1.0f, kNan, 1.0f};
+    scene(4, 2) = {kNan, 1.0f, 1.0f};
+    scene(5, 2) = {1.0f, -1.0f, 1.0f};
+    scene(6, 2) = {1.0f, -kInf, 1.0f};
+    scene(7, 2) = {kInf, kInf, kInf};
+    scene(8, 2) = {-kInf, 1.0f, 1.0f};
+    const ToneMapResult result = tone_map(GetParam(), scene.view(), kWhite, 1);
+    EXPECT_EQ(result.statistics.counts, (PixelCounts{64 * 64 - 6, 0, 2, 2, 2}));
+    EXPECT_EQ(result.statistics.first_bad_px, std::make_pair(3, 2));
+    for (int x = 3; x <= 6; ++x) EXPECT_EQ(result.image(x, 2), XYZ{}) << x;
+    for (int x = 7; x <= 8; ++x) EXPECT_EQ(result.image(x, 2), kWhite) << x;
+    for (int y = 3; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            EXPECT_NEAR(result.image(x, y).y, clean_mapped(x, y).y, 2.0f / 255.0f) << x << ", " << y;
+        }
+    }
+}
+
+TEST_P(EveryToneMapper, PictureOfBadPixelsOnlyIsDefined) {
+    Image<XYZ> scene(3, 1);
+    scene(0, 0) = grey(kNan);
+    scene(1, 0) = grey(-1.0f);
+    scene(2, 0) = grey(kInf);
+    const Image<XYZ> mapped = map(scene);
+    EXPECT_EQ(mapped(0, 0), XYZ{});
+    EXPECT_EQ(mapped(1, 0), XYZ{});
+    EXPECT_EQ(mapped(2, 0), kWhite);
+}
+
+TEST_P(EveryToneMapper, HalfBlackLeavesTheOtherHalf) {
+    const Image<XYZ> half = random_scene(64, 32, 11);
+    Image<XYZ> scene(64, 64);
+    std::copy(half.pixels().begin(), half.pixels().end(), scene.pixels().begin());
+    const Image<XYZ> half_mapped = map(half), mapped = map(scene);
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 64; ++x) EXPECT_EQ(mapped(x, y), half_mapped(x, y));
+    }
+}
+
+TEST_P(EveryToneMapper, SameBitsForEveryNumberOfThreads) {
+    const Image<XYZ> scene = random_scene(509, 251, 12);
+    const Image<XYZ> one = map(scene, 1);
+    for (const int threads : {2, 3, 8, 0}) EXPECT_EQ(map(scene, threads), one) << threads;
+}
+
+TEST_P(EveryToneMapper, WorksInPlace) {
+    Image<XYZ> scene = random_scene(33, 35, 13);
+    const Image<XYZ> mapped = map(scene);
+    tone_map_into(GetParam(), std::as_const(scene).view(), scene.view(), kWhite, 2);
+    EXPECT_EQ(scene, mapped);
+}
+
+TEST_P(EveryToneMapper, RejectsWhatItCannotDo) {
+    const Image<XYZ> scene(2, 2);
+    Image<XYZ> smaller(2, 1);
+    EXPECT_THROW((void)tone_map(GetParam(), Image<XYZ>().view(), kWhite, 1), std::invalid_argument);
+    EXPECT_THROW((void)tone_map(GetParam(), scene.view(), kWhite, -1), std::invalid_argument);
+    EXPECT_THROW(tone_map_into(GetParam(), scene.view(), smaller.view(), kWhite, 1), std::invalid_argument);
+}
+
+TEST_P(EveryToneMapper, TextReadsBackAsTheSameValue) {
+    EXPECT_EQ(parse_named<ToneMapper>(to_text(GetParam()), "tonemap"), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Variant, EveryToneMapper, testing::ValuesIn(all_mappers()), [](const auto& instance) {
+    std::string name = to_text(ToneMapper(instance.param));
+    name.resize(std::min(name.size(), name.find(':')));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST(ToneMapper, ReinhardGlobalIsTheDefault) { EXPECT_EQ(ToneMapper{}, ToneMapper{ReinhardGlobal{}}); }
+
+TEST(MaxToWhite, BrightestPixelIsOneAndTheRestProportional) {
+    Image<XYZ> scene(3, 1);
+    scene(0, 0) = {10.0f, 50.0f, 20.0f};
+    scene(1, 0) = grey(200.0f);
+    scene(2, 0) = grey(kInf);
+    const ToneMapResult result = tone_map(MaxToWhite{}, scene.view(), kWhite, 1);
+    EXPECT_FLOAT_EQ(result.image(0, 0).y, 0.25f);
+    EXPECT_FLOAT_EQ(result.image(0, 0).x, 0.05f);
+    EXPECT_FLOAT_EQ(result.image(1, 0).y, 1.0f);
+    EXPECT_EQ(result.image(2, 0), kWhite);
+}
+
+}  // namespace
+}  // namespace emulsion
