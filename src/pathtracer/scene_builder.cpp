@@ -1,0 +1,208 @@
+#include "pathtracer/scene_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pathtracer/scene_transform.h"
+
+namespace emulsion {
+
+// --- Transformations
+// --------------------------------------------------------------------------------------------------
+
+namespace {
+
+void check_transform(const SourcePlace& place, const Imath::M44d& matrix) {
+    if (!is_affine(matrix)) {
+        throw SceneError(place, "a projective transformation", "an affine one: numbers 4, 8, 12, 16 are 0 0 0 1");
+    }
+    if (!is_invertible(matrix)) {
+        throw SceneError(place, "a singular transformation",
+                         "one that maps space to space, neither flattened nor overflowing");
+    }
+}
+
+}  // namespace
+
+void SceneBuilder::transform(const SourcePlace& place, const Imath::M44d& matrix) {
+    check_transform(place, matrix);
+    state_.frame.world_from_object = matrix;
+}
+
+void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d& matrix) {
+    check_transform(place, matrix);
+    transform(place, matrix * state_.frame.world_from_object);
+}
+
+// --- Options
+// ----------------------------------------------------------------------------------------------------------
+
+void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "Camera");
+    read_camera(list, state_.frame.world_from_object, scene_.camera, exposure_);
+}
+
+void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "Film");
+    read_film(list, scene_.film, exposure_);
+}
+
+void SceneBuilder::sampler(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "Sampler");
+    read_sampler(list, scene_.sampler, scene_.sampler_seed);
+}
+
+void SceneBuilder::pixel_filter(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "PixelFilter");
+    scene_.filter = read_filter(list);
+}
+
+void SceneBuilder::integrator(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "Integrator");
+    scene_.integrator = read_integrator(list);
+}
+
+void SceneBuilder::note_option(const SourcePlace& place, const std::string& directive) {
+    const auto [earlier, first] = options_seen_.try_emplace(directive, place);
+    if (first) return;
+    warn(place, fmt::format("{} replaces the one at {}", directive, to_text(earlier->second)));
+    earlier->second = place;
+}
+
+void SceneBuilder::world_begin(const SourcePlace& place) {
+    block_ = SceneBlock::world;
+    world_begin_ = place;
+    state_.frame.world_from_object.makeIdentity();
+}
+
+// --- World
+// ------------------------------------------------------------------------------------------------------------
+
+void SceneBuilder::attribute_begin(const SourcePlace& place) { saved_.push_back({state_, place}); }
+
+void SceneBuilder::attribute_end(const SourcePlace& place) {
+    if (saved_.empty())
+        throw SceneError(place, "AttributeEnd without its AttributeBegin", "as many of one as the other");
+    state_ = std::move(saved_.back().state);
+    saved_.pop_back();
+}
+
+void SceneBuilder::reverse_orientation() noexcept {
+    const bool reversed = state_.frame.orientation == Orientation::reversed;
+    state_.frame.orientation = reversed ? Orientation::as_given : Orientation::reversed;
+}
+
+DiffuseMaterial SceneBuilder::read_material(const ParameterList& list) {
+    check_parameters(material_table(), list);
+    const SceneParameter* const reflectance = find_parameter(list, "reflectance");
+    return reflectance == nullptr ? DiffuseMaterial{} : DiffuseMaterial{spectra_.reflectance(*reflectance)};
+}
+
+int SceneBuilder::add_material(Material material) {
+    scene_.materials.push_back(std::move(material));
+    return static_cast<int>(scene_.materials.size()) - 1;
+}
+
+SceneBuilder::NamedMaterial& SceneBuilder::named_slot(const std::string& name) {
+    const auto [slot, added] = named_materials_.try_emplace(name);
+    if (added) slot->second.material = add_material(DiffuseMaterial{});
+    return slot->second;
+}
+
+void SceneBuilder::material(const SourcePlace&, const ParameterList& list) {
+    state_.material = add_material(read_material(list));
+}
+
+void SceneBuilder::make_named_material(const SourcePlace& place, ParameterList list) {
+    // The directive's string is the material's name; which material it is, a parameter says.
+    const std::string name = std::exchange(list.owner, "");
+    const auto is_type = [](const SceneParameter& p) { return p.name == "type" && p.type == DeclaredType::string; };
+    const auto type = std::find_if(list.parameters.begin(), list.parameters.end(), is_type);
+    if (type == list.parameters.end()) {
+        throw SceneError(list.place, fmt::format("the material {} without a type", quote(name)),
+                         "a parameter \"string type\"");
+    }
+    if (type->strings.size() != 1) {
+        throw SceneError(type->place, fmt::format("{} types of one material", type->strings.size()), "1");
+    }
+    list.owner = type->strings.front();
+    list.place = type->first_value;
+    list.parameters.erase(type);
+    DiffuseMaterial made = read_material(list);
+
+    NamedMaterial& slot = named_slot(name);
+    if (slot.made) {
+        throw SceneError(place, fmt::format("a second material {}", quote(name)),
+                         "each name only once (the first is at " + to_text(*slot.made) + ")");
+    }
+    slot.made = place;
+    scene_.materials[static_cast<std::size_t>(slot.material)] = std::move(made);
+}
+
+void SceneBuilder::named_material(const SourcePlace& place, const std::string& name) {
+    NamedMaterial& slot = named_slot(name);
+    if (!slot.first_use) slot.first_use = place;
+    state_.material = slot.material;
+}
+
+void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& list) {
+    state_.area_light = std::make_shared<const AreaLightSource>(read_area_light(list, spectra_));
+}
+
+void SceneBuilder::light_source(const SourcePlace&, const ParameterList& list) {
+    scene_.lights.push_back(read_light(list, state_.frame.world_from_object, spectra_));
+}
+
+void SceneBuilder::shape(const SourcePlace&, const ParameterList& list) {
+    std::optional<Geometry> geometry = read_shape(list, state_.frame, scene_.warnings);
+    if (!geometry) return;  // warned of
+    Shape shape;
+    shape.material = state_.material;
+    if (shape.material < 0) {
+        if (default_material_ < 0) default_material_ = add_material(DiffuseMaterial{});
+        shape.material = default_material_;
+    }
+    if (state_.area_light) shape.area_light = light_of_shape(*state_.area_light, world_area(*geometry));
+    shape.geometry = std::move(*geometry);
+    scene_.shapes.push_back(std::move(shape));
+}
+
+// --- The end
+// ----------------------------------------------------------------------------------------------------------
+
+void SceneBuilder::check_named_materials() const {
+    std::vector<std::string_view> made;
+    const std::pair<const std::string, NamedMaterial>* missing = nullptr;
+    for (const auto& entry : named_materials_) {
+        const NamedMaterial& material = entry.second;
+        if (material.made) made.push_back(entry.first);
+        const bool first = missing == nullptr || material.first_use->offset < missing->second.first_use->offset;
+        if (!material.made && first) missing = &entry;
+    }
+    if (missing == nullptr) return;
+    throw SceneError(*missing->second.first_use, "unknown named material " + quote(missing->first),
+                     "one that MakeNamedMaterial makes " + nearest_hint(missing->first, made));
+}
+
+void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {
+    scene_.warnings.push_back(to_text(place) + ": " + what);
+}
+
+Scene SceneBuilder::finish(const SourcePlace& end) {
+    if (!world_begin_) throw SceneError(end, "the end of the file", "WorldBegin");
+    if (!saved_.empty()) {
+        throw SceneError(saved_.back().begin, "AttributeBegin without its AttributeEnd", "as many of one as the other");
+    }
+    check_named_materials();
+
+    const auto emits = [](const Shape& shape) { return shape.area_light.has_value(); };
+    if (scene_.lights.empty() && std::none_of(scene_.shapes.begin(), scene_.shapes.end(), emits)) {
+        warn(*world_begin_, "there is no light: the picture will be black");
+    }
+    scene_.film.imaging_ratio = exposure_.imaging_ratio();
+    return std::move(scene_);
+}
+
+}  // namespace emulsion

@@ -1,0 +1,100 @@
+#include "pathtracer/scene_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "pathtracer/scene_transform.h"
+
+namespace emulsion {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kMostFloat = std::numeric_limits<float>::max();
+
+Spectrum light_spectrum(const ParameterList& list, std::string_view name, SpectrumReader& spectra) {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    return parameter == nullptr ? default_light_spectrum() : spectra.light(*parameter);
+}
+
+/// \throws SceneError if the scale is too large for the renderer's single precision.
+void check_scale(const ScaledSpectrum& light, const SourcePlace& place) {
+    if (light.scale <= kMostFloat) return;
+    throw SceneError(place, fmt::format("a light scaled by {:g}", light.scale), "one that single precision holds");
+}
+
+ScaledSpectrum checked_absolute(Spectrum spectrum, double photometric_scale, const SourcePlace& place) {
+    ScaledSpectrum light = absolute(std::move(spectrum), photometric_scale);
+    check_scale(light, place);
+    return light;
+}
+
+Light read_point_light(const ParameterList& list, const Imath::M44d& ctm, SpectrumReader& spectra) {
+    double intensity_cd = real_or(list, "scale", 1.0);
+    if (find_parameter(list, "power") != nullptr) intensity_cd *= real_or(list, "power", 0.0) / (4.0 * kPi);
+    const Imath::V3d from = point_or(list, "from", Imath::V3d(0.0));
+    const Imath::V3d position = transform_point(ctm, from);
+    if (!(std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}) <= kMostFloat)) {
+        throw SceneError(list.place, fmt::format("a light at ({}, {}, {})", position.x, position.y, position.z),
+                         "coordinates that single precision holds");
+    }
+    return PointLight{position, checked_absolute(light_spectrum(list, "I", spectra), intensity_cd, list.place)};
+}
+
+Light read_distant_light(const ParameterList& list, const Imath::M44d& ctm, SpectrumReader& spectra) {
+    const double illuminance_lx = real_or(list, "scale", 1.0) * real_or(list, "illuminance", 1.0);
+    const Imath::V3d from = point_or(list, "from", Imath::V3d(0.0));
+    const Imath::V3d to = point_or(list, "to", Imath::V3d(0.0, 0.0, 1.0));
+    const Imath::V3d to_light = transform_vector(ctm, from - to);
+    const double length = to_light.length();
+    if (!(length > 0.0) || !std::isfinite(length)) {
+        throw SceneError(list.place, "a distant light whose \"from\" and \"to\" give no direction",
+                         "two points apart from each other");
+    }
+    return DistantLight{to_light / length,
+                        checked_absolute(light_spectrum(list, "L", spectra), illuminance_lx, list.place)};
+}
+
+Light read_infinite_light(const ParameterList& list, const Imath::M44d&, SpectrumReader& spectra) {
+    double luminance_cdm2 = real_or(list, "scale", 1.0);
+    if (find_parameter(list, "illuminance") != nullptr) luminance_cdm2 *= real_or(list, "illuminance", 0.0) / kPi;
+    return UniformInfiniteLight{checked_absolute(light_spectrum(list, "L", spectra), luminance_cdm2, list.place)};
+}
+
+struct LightReader {
+    std::string_view name;
+    Light (*read)(const ParameterList&, const Imath::M44d&, SpectrumReader&);
+};
+constexpr LightReader kReaders[] = {
+    {"point", read_point_light}, {"distant", read_distant_light}, {"infinite", read_infinite_light}};
+
+}  // namespace
+
+Light read_light(const ParameterList& list, const Imath::M44d& world_from_object, SpectrumReader& spectra) {
+    check_parameters(light_table(), list);
+    return supported_row<LightReader>(list.place, "light source", list.owner, kReaders)
+        .read(list, world_from_object, spectra);
+}
+
+AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spectra) {
+    check_parameters(area_light_table(), list);
+    AreaLightSource source;
+    source.radiance = checked_absolute(light_spectrum(list, "L", spectra), real_or(list, "scale", 1.0), list.place);
+    if (find_parameter(list, "power") != nullptr) source.power_lm = real_or(list, "power", 0.0);
+    source.two_sided = flag_or(list, "twosided", Flag::off) == Flag::on;
+    source.place = list.place;
+    return source;
+}
+
+AreaLight light_of_shape(const AreaLightSource& source, double world_area) {
+    AreaLight light{source.radiance, source.two_sided};
+    if (source.power_lm) light.radiance.scale *= *source.power_lm / (kPi * world_area * (source.two_sided ? 2.0 : 1.0));
+    check_scale(light.radiance, source.place);
+    return light;
+}
+
+}  // namespace emulsion

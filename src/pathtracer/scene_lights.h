@@ -1,0 +1,35 @@
+#pragma once
+// LightSource and AreaLightSource. All light spectra are normalised as pbrt-v4 does: `scale` is luminance in cd/m^2 (an
+// L of area and infinite lights), intensity in cd (I of point lights), illuminance in lux (L of distant lights), for a
+// spectrum as such or an RGB light that is white. `power` in lumen and `illuminance` in lux multiply with it.
+
+#include <optional>
+
+#include <Imath/ImathMatrix.h>
+
+#include "pathtracer/scene.h"
+#include "pathtracer/scene_parameters.h"
+#include "pathtracer/scene_spectra.h"
+
+namespace emulsion {
+
+/// \throws SceneError for parameters that make no light; `world_from_object` is the current transformation.
+[[nodiscard]] Light read_light(const ParameterList& list, const Imath::M44d& world_from_object,
+                               SpectrumReader& spectra);
+
+/// What an AreaLightSource says about the shapes that follow it.
+struct AreaLightSource {
+    ScaledSpectrum radiance;         ///< W m^-2 sr^-1 nm^-1
+    std::optional<double> power_lm;  ///< of each shape as a whole; `radiance` is then per lm/(m^2 sr) of it
+    bool two_sided = false;
+    SourcePlace place;
+};
+
+[[nodiscard]] AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spectra);
+
+/// The light of one shape. A given power is spread over its `world_area`, on both sides if two-sided. (pbrt-v4 gives
+/// each triangle of a mesh that power for itself, and takes a sphere's area before it is transformed.)
+/// \throws SceneError if the radiance overflows.
+[[nodiscard]] AreaLight light_of_shape(const AreaLightSource& source, double world_area);
+
+}  // namespace emulsion

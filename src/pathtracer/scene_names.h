@@ -1,0 +1,51 @@
+#pragma once
+// Known names: those that we support, and those that pbrt-v4 has and we don't yet. Errors tell the two apart, and
+// answer an unknown name with the nearest known one.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pathtracer/scene_source.h"
+
+namespace emulsion {
+
+enum class Support {
+    here,       ///< read, and means what it means to pbrt-v4
+    pbrt_only,  ///< known to pbrt-v4, not yet supported here
+};
+
+struct KnownName {
+    std::string_view name;
+    Support support = Support::here;
+};
+
+/// The known name with the fewest letters to change; empty if there are none, or `name` is beyond any likeness.
+[[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
+
+/// "(nearest known name: "sphere")", or the list of names if none is near.
+[[nodiscard]] std::string nearest_hint(std::string_view name, std::span<const std::string_view> known);
+
+/// \throws SceneError always: `what` (shape "disk") is unknown, or known to pbrt-v4 only.
+[[noreturn]] void throw_unsupported(const SourcePlace& place, std::string_view what, std::string_view name,
+                                    std::span<const KnownName> known);
+
+/// The row of a table whose `name` is as given and whose `support`, if rows have one, is here.
+/// \throws SceneError if there is none; `what` says what was looked for: "shape".
+template <class Row>
+[[nodiscard]] const Row& supported_row(const SourcePlace& place, std::string_view what, std::string_view name,
+                                       std::span<const Row> table) {
+    const auto support_of = [](const Row& row) {
+        if constexpr (requires { row.support; }) return row.support;
+        return Support::here;
+    };
+    for (const Row& row : table) {
+        if (row.name == name && support_of(row) == Support::here) return row;
+    }
+    std::vector<KnownName> known;
+    for (const Row& row : table) known.push_back({row.name, support_of(row)});
+    throw_unsupported(place, what, name, known);
+}
+
+}  // namespace emulsion

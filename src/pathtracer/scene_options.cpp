@@ -1,0 +1,153 @@
+#include "pathtracer/scene_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace emulsion {
+
+namespace {
+
+/// A filter parameter, which must also be fit for single precision.
+float filter_number(const ParameterList& list, std::string_view name, float otherwise) {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    if (parameter == nullptr) return otherwise;
+    const auto value = static_cast<float>(parameter->numbers.front());
+    const bool kept = std::isfinite(value) && (value != 0.0f || parameter->numbers.front() == 0.0);
+    if (kept) return value;
+    throw SceneError(parameter->first_value, fmt::format("{} for parameter \"{}\"", parameter->numbers.front(), name),
+                     "a number that single precision holds");
+}
+
+/// \throws SceneError unless products and quotients of a few such numbers stay finite and above 0.
+double checked_exposure(const SourcePlace& place, double value, std::string_view what, std::string_view expected) {
+    using Float = std::numeric_limits<float>;
+    if (value >= Float::min() && value <= Float::max()) return value;
+    throw SceneError(place, fmt::format("{} {}", what, value), std::string(expected));
+}
+
+template <class T>
+T with_radii(const ParameterList& list, T filter) {
+    filter.x_radius_px = filter_number(list, "xradius", filter.x_radius_px);
+    filter.y_radius_px = filter_number(list, "yradius", filter.y_radius_px);
+    return filter;
+}
+
+Filter read_box(const ParameterList& list) { return with_radii(list, BoxFilter{}); }
+Filter read_triangle(const ParameterList& list) { return with_radii(list, TriangleFilter{}); }
+Filter read_gaussian(const ParameterList& list) {
+    auto filter = with_radii(list, GaussianFilter{});
+    filter.sigma_px = filter_number(list, "sigma", filter.sigma_px);
+    return filter;
+}
+Filter read_mitchell(const ParameterList& list) {
+    auto filter = with_radii(list, MitchellFilter{});
+    filter.b = filter_number(list, "B", filter.b);
+    filter.c = filter_number(list, "C", filter.c);
+    return filter;
+}
+Filter read_sinc(const ParameterList& list) {
+    auto filter = with_radii(list, LanczosSincFilter{});
+    filter.tau = filter_number(list, "tau", filter.tau);
+    return filter;
+}
+
+struct FilterReader {
+    std::string_view name;
+    Filter (*read)(const ParameterList&);
+};
+constexpr FilterReader kFilterReaders[] = {{BoxFilter::kName, read_box},
+                                           {TriangleFilter::kName, read_triangle},
+                                           {GaussianFilter::kName, read_gaussian},
+                                           {MitchellFilter::kName, read_mitchell},
+                                           {LanczosSincFilter::kName, read_sinc}};
+
+Sampler read_independent(const ParameterList& list) {
+    return IndependentSampler{integer_or(list, "pixelsamples", IndependentSampler{}.samples_per_pixel)};
+}
+Sampler read_padded_sobol(const ParameterList& list) {
+    return PaddedSobolSampler{integer_or(list, "pixelsamples", PaddedSobolSampler{}.samples_per_pixel)};
+}
+Sampler read_stratified(const ParameterList& list) {
+    StratifiedSampler sampler;
+    sampler.x_samples = integer_or(list, "xsamples", sampler.x_samples);
+    sampler.y_samples = integer_or(list, "ysamples", sampler.y_samples);
+    sampler.jitter = flag_or(list, "jitter", Flag::on) == Flag::on;
+    const std::int64_t samples = std::int64_t{sampler.x_samples} * sampler.y_samples;
+    if (samples > std::numeric_limits<int>::max()) {
+        throw SceneError(list.place, fmt::format("{} x {} samples", sampler.x_samples, sampler.y_samples),
+                         fmt::format("at most {} in all", std::numeric_limits<int>::max()));
+    }
+    return sampler;
+}
+
+struct SamplerReader {
+    std::string_view name;
+    Sampler (*read)(const ParameterList&);
+};
+constexpr SamplerReader kSamplerReaders[] = {
+    {"independent", read_independent}, {"paddedsobol", read_padded_sobol}, {"stratified", read_stratified}};
+
+}  // namespace
+
+void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, PerspectiveCamera& camera,
+                 Exposure& exposure) {
+    check_parameters(camera_table(), list);
+    camera = {};
+    camera.world_from_camera = camera_from_world.inverse();
+    camera.fov_deg = real_or(list, "fov", camera.fov_deg);
+    if (!(camera.fov_deg < 180.0)) {
+        throw SceneError(find_parameter(list, "fov")->first_value, fmt::format("a field of view of {}", camera.fov_deg),
+                         "an angle above 0 and below 180 degrees");
+    }
+    if (find_parameter(list, "frameaspectratio") != nullptr) {
+        camera.frame_aspect_ratio = real_or(list, "frameaspectratio", 1.0);
+    }
+    if (const SceneParameter* const window = find_parameter(list, "screenwindow")) {
+        auto& values = camera.screen_window.emplace();
+        std::copy_n(window->numbers.begin(), values.size(), values.begin());
+        if (values[0] == values[1] || values[2] == values[3]) {
+            throw SceneError(window->first_value, "a screen window without area", "x min, x max, y min, y max");
+        }
+    }
+    const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
+    exposure.time_s =
+        checked_exposure(list.place, time_s, "an exposure time of", "\"shutterclose\" after \"shutteropen\"");
+}
+
+void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure) {
+    check_parameters(film_table(), list);
+    film = {};
+    film.width_px = integer_or(list, "xresolution", film.width_px);
+    film.height_px = integer_or(list, "yresolution", film.height_px);
+    const std::int64_t pixels = std::int64_t{film.width_px} * film.height_px;
+    if (pixels > std::numeric_limits<int>::max()) {
+        throw SceneError(list.place, fmt::format("{} x {} pixels", film.width_px, film.height_px),
+                         fmt::format("at most {} in all", std::numeric_limits<int>::max()));
+    }
+    film.filename = string_or(list, "filename", "");
+    film.pixel_type = flag_or(list, "savefp16", Flag::off) == Flag::on ? PixelType::half : PixelType::float32;
+    exposure.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",
+                                    "a number that single precision holds");
+}
+
+void read_sampler(const ParameterList& list, Sampler& sampler, int& seed) {
+    check_parameters(sampler_table(), list);
+    sampler = supported_row<SamplerReader>(list.place, "sampler", list.owner, kSamplerReaders).read(list);
+    seed = integer_or(list, "seed", 0);
+}
+
+Filter read_filter(const ParameterList& list) {
+    check_parameters(filter_table(), list);
+    return supported_row<FilterReader>(list.place, "pixel filter", list.owner, kFilterReaders).read(list);
+}
+
+PathIntegratorSettings read_integrator(const ParameterList& list) {
+    check_parameters(integrator_table(), list);
+    return {integer_or(list, "maxdepth", PathIntegratorSettings{}.max_depth)};
+}
+
+}  // namespace emulsion

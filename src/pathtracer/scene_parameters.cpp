@@ -1,0 +1,186 @@
+#include "pathtracer/scene_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace emulsion {
+
+namespace {
+
+/// What kind of token the values are.
+enum class TokenType { number, whole_number, truth, string, number_or_string };
+
+struct TypeName {
+    std::string_view name;
+    DeclaredType type;
+    TokenType token;
+    Support support = Support::here;
+};
+
+constexpr TypeName kTypeNames[] = {
+    {"integer", DeclaredType::integer, TokenType::whole_number},
+    {"float", DeclaredType::real, TokenType::number},
+    {"bool", DeclaredType::boolean, TokenType::truth},
+    {"string", DeclaredType::string, TokenType::string},
+    {"point2", DeclaredType::point2, TokenType::number},
+    {"vector2", DeclaredType::vector2, TokenType::number},
+    {"point3", DeclaredType::point3, TokenType::number},
+    {"point", DeclaredType::point3, TokenType::number},
+    {"vector3", DeclaredType::vector3, TokenType::number},
+    {"vector", DeclaredType::vector3, TokenType::number},
+    {"normal", DeclaredType::normal, TokenType::number},
+    {"normal3", DeclaredType::normal, TokenType::number},
+    {"rgb", DeclaredType::rgb, TokenType::number},
+    {"blackbody", DeclaredType::blackbody, TokenType::number},
+    {"spectrum", DeclaredType::spectrum, TokenType::number_or_string},
+    {"texture", DeclaredType::texture, TokenType::string},
+};
+
+bool is_truth(const Token& token, std::string_view word) {
+    // pbrt-v4 itself takes the bare words only; older files have them in quotes.
+    return (token.kind == TokenKind::word || token.kind == TokenKind::string) && token.text == word;
+}
+
+constexpr std::string_view expected_token(TokenType type, bool in_brackets) {
+    switch (type) {
+        case TokenType::truth:
+            return in_brackets ? "true, false or \"]\"" : "true or false";
+        case TokenType::string:
+            return in_brackets ? "a string or \"]\"" : "a string";
+        case TokenType::number_or_string:
+            return in_brackets ? "a number, a string or \"]\"" : "a number or a string";
+        default:
+            return in_brackets ? "a number or \"]\"" : "a number";
+    }
+}
+
+/// Reads a token as one value.
+void add_value(SceneParameter& parameter, const Token& token, TokenType type, bool in_brackets) {
+    const std::string_view expected = expected_token(type, in_brackets);
+    if (type == TokenType::truth) {
+        if (!is_truth(token, "true") && !is_truth(token, "false")) {
+            throw SceneError(token.place, describe(token), std::string(expected));
+        }
+        parameter.numbers.push_back(token.text == "true" ? 1.0 : 0.0);
+        return;
+    }
+    const bool wants_string =
+        type == TokenType::string ||
+        (type == TokenType::number_or_string && token.kind == TokenKind::string && parameter.numbers.empty());
+    if (wants_string) {
+        if (token.kind != TokenKind::string) throw SceneError(token.place, describe(token), std::string(expected));
+        parameter.strings.push_back(string_value(token));
+        return;
+    }
+    if (!parameter.strings.empty()) {
+        throw SceneError(token.place, describe(token), "a string after a string, or \"]\"");
+    }
+    const double number = number_value(token, expected);
+    constexpr double kLargest = std::numeric_limits<int>::max(), kSmallest = std::numeric_limits<int>::min();
+    if (type == TokenType::whole_number && (number != std::trunc(number) || number > kLargest || number < kSmallest)) {
+        throw SceneError(token.place, describe(token), "a whole number of at most 32 bits");
+    }
+    parameter.numbers.push_back(number);
+}
+
+void read_values(Lexer& lexer, SceneParameter& parameter, TokenType type) {
+    Token token = lexer.next();
+    parameter.first_value = token.place;
+    if (token.kind != TokenKind::open_bracket) return add_value(parameter, token, type, false);
+
+    const SourcePlace opened = token.place;
+    parameter.first_value = lexer.peek().place;
+    while ((token = lexer.next()).kind != TokenKind::close_bracket) {
+        if (token.kind == TokenKind::end) {
+            throw SceneError(token.place, describe(token), "a \"]\" for the \"[\" at " + to_text(opened));
+        }
+        add_value(parameter, token, type, true);
+    }
+    if (parameter.numbers.empty() && parameter.strings.empty()) {
+        throw SceneError(token.place, "\"]\" right after \"[\"", "at least one value");
+    }
+}
+
+/// Splits "type name".
+SceneParameter declare(const Token& token, TokenType& token_type) {
+    const std::string text = string_value(token);
+    constexpr std::string_view kBlanks = " \t";
+    const auto type_begin = text.find_first_not_of(kBlanks);
+    const auto type_end = text.find_first_of(kBlanks, type_begin);
+    const auto name_begin = text.find_first_not_of(kBlanks, type_end);
+    const auto name_end = text.find_first_of(kBlanks, name_begin);
+    const bool two_words = name_begin != std::string::npos && type_begin != std::string::npos &&
+                           text.find_first_not_of(kBlanks, name_end) == std::string::npos;
+    if (!two_words) throw SceneError(token.place, describe(token), "a parameter's \"type name\"");
+
+    const std::string_view type_name = std::string_view(text).substr(type_begin, type_end - type_begin);
+    const TypeName& type =
+        supported_row<TypeName>(token.place, "parameter type", type_name, std::span<const TypeName>(kTypeNames));
+    token_type = type.token;
+    SceneParameter parameter;
+    parameter.place = token.place;
+    parameter.type = type.type;
+    parameter.name = text.substr(name_begin, name_end - name_begin);
+    return parameter;
+}
+
+}  // namespace
+
+std::vector<SceneParameter> read_parameters(Lexer& lexer) {
+    std::vector<SceneParameter> parameters;
+    while (lexer.peek().kind == TokenKind::string) {
+        TokenType type{};
+        SceneParameter parameter = declare(lexer.next(), type);
+        const auto same_name = [&](const SceneParameter& earlier) { return earlier.name == parameter.name; };
+        const auto earlier = std::find_if(parameters.begin(), parameters.end(), same_name);
+        if (earlier != parameters.end()) {
+            throw SceneError(parameter.place, "a second parameter " + quote(parameter.name),
+                             "each only once (the first is at " + to_text(earlier->place) + ")");
+        }
+        read_values(lexer, parameter, type);
+        parameters.push_back(std::move(parameter));
+    }
+    return parameters;
+}
+
+const SceneParameter* find_parameter(const ParameterList& list, std::string_view name) noexcept {
+    for (const SceneParameter& parameter : list.parameters) {
+        if (parameter.name == name) return &parameter;
+    }
+    return nullptr;
+}
+
+SourcePlace place_of_value(const SceneParameter& parameter, std::size_t index) {
+    Lexer lexer(*parameter.first_value.source, parameter.first_value.offset);
+    for (std::size_t i = 0; i < index; ++i) lexer.next();
+    return lexer.peek().place;
+}
+
+double real_or(const ParameterList& list, std::string_view name, double otherwise) noexcept {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    return parameter == nullptr ? otherwise : parameter->numbers.front();
+}
+
+int integer_or(const ParameterList& list, std::string_view name, int otherwise) noexcept {
+    return static_cast<int>(real_or(list, name, otherwise));
+}
+
+std::string string_or(const ParameterList& list, std::string_view name, std::string_view otherwise) {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    return parameter == nullptr ? std::string(otherwise) : parameter->strings.front();
+}
+
+Imath::V3d point_or(const ParameterList& list, std::string_view name, const Imath::V3d& otherwise) noexcept {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    if (parameter == nullptr) return otherwise;
+    return {parameter->numbers[0], parameter->numbers[1], parameter->numbers[2]};
+}
+
+Flag flag_or(const ParameterList& list, std::string_view name, Flag otherwise) noexcept {
+    return real_or(list, name, otherwise == Flag::on ? 1.0 : 0.0) != 0.0 ? Flag::on : Flag::off;
+}
+
+}  // namespace emulsion

@@ -1,0 +1,73 @@
+#pragma once
+// The parameters of one directive: "type name" value, or "type name" [ value ... ].
+//
+// Reading checks each against its declared type; checking against the table of the implementation then leaves nothing
+// unknown, unsupported, wrongly typed, wrongly sized or out of range. The getters rely on that and only fetch.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "pathtracer/scene_lexer.h"
+#include "pathtracer/scene_tables.h"
+
+namespace emulsion {
+
+/// A type that a parameter may be declared with.
+enum class DeclaredType {
+    integer,
+    real,
+    boolean,
+    string,
+    point2,
+    vector2,
+    point3,
+    vector3,
+    normal,
+    rgb,
+    blackbody,
+    spectrum,
+    texture
+};
+
+struct SceneParameter {
+    SourcePlace place;        ///< of the string that declares it
+    SourcePlace first_value;  ///< of its first value
+    DeclaredType type = DeclaredType::real;
+    std::string name;
+    std::vector<double> numbers;       ///< finite; of flags: 0 and 1; of points: x y z x y z ...
+    std::vector<std::string> strings;  ///< of strings, textures, and spectra given by name
+};
+
+struct ParameterList {
+    std::string owner;  ///< in messages: sphere for Shape "sphere"
+    SourcePlace place;  ///< of the string that names the owner
+    std::vector<SceneParameter> parameters;
+};
+
+/// Reads parameters until a token that can't begin one.
+/// \throws SceneError for malformed ones, values that don't fit the declared type, and names given twice.
+[[nodiscard]] std::vector<SceneParameter> read_parameters(Lexer& lexer);
+
+/// The implementation of the list's owner; every parameter of the list is checked against its table.
+/// \throws SceneError naming the token at fault.
+const Implementation& check_parameters(const ImplementationTable& table, const ParameterList& list);
+
+/// Unset (nullptr) if the list has none of this name.
+[[nodiscard]] const SceneParameter* find_parameter(const ParameterList& list, std::string_view name) noexcept;
+
+/// Where value number `index` stands in the text, for messages.
+[[nodiscard]] SourcePlace place_of_value(const SceneParameter& parameter, std::size_t index);
+
+[[nodiscard]] double real_or(const ParameterList& list, std::string_view name, double otherwise) noexcept;
+[[nodiscard]] int integer_or(const ParameterList& list, std::string_view name, int otherwise) noexcept;
+[[nodiscard]] std::string string_or(const ParameterList& list, std::string_view name, std::string_view otherwise);
+[[nodiscard]] Imath::V3d point_or(const ParameterList& list, std::string_view name,
+                                  const Imath::V3d& otherwise) noexcept;
+
+enum class Flag { off, on };
+[[nodiscard]] Flag flag_or(const ParameterList& list, std::string_view name, Flag otherwise) noexcept;
+
+}  // namespace emulsion

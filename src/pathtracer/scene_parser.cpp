@@ -1,0 +1,196 @@
+#include "pathtracer/scene_parser.h"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "pathtracer/scene_builder.h"
+#include "pathtracer/scene_lexer.h"
+#include "pathtracer/scene_transform.h"
+
+namespace emulsion {
+
+namespace {
+
+// --- What follows a directive
+// -----------------------------------------------------------------------------------------
+
+/// What a directive acts on.
+struct Reading {
+    Lexer& lexer;
+    SceneBuilder& scene;
+    Token directive;
+};
+
+template <std::size_t N>
+std::array<double, N> read_numbers(Lexer& lexer) {
+    const bool brackets = lexer.peek().kind == TokenKind::open_bracket;
+    if (brackets) lexer.next();
+    std::array<double, N> numbers{};
+    for (std::size_t i = 0; i < N; ++i) {
+        numbers[i] = number_value(lexer.next(), fmt::format("a number, the {} of {}", i + 1, N));
+    }
+    if (!brackets) return numbers;
+    const Token close = lexer.next();
+    if (close.kind != TokenKind::close_bracket) {
+        throw SceneError(close.place, describe(close), fmt::format("a \"]\" after {} numbers", N));
+    }
+    return numbers;
+}
+
+Token read_string(Lexer& lexer, const Token& directive) {
+    const Token token = lexer.next();
+    if (token.kind == TokenKind::string) return token;
+    throw SceneError(token.place, describe(token), fmt::format("a string after {}", directive.text));
+}
+
+// --- The directives
+// ---------------------------------------------------------------------------------------------------
+
+void run_identity(Reading& r) { r.scene.transform(r.directive.place, Imath::M44d()); }
+void run_transform(Reading& r) { r.scene.transform(r.directive.place, matrix_of_columns(read_numbers<16>(r.lexer))); }
+void run_concat_transform(Reading& r) {
+    r.scene.concat_transform(r.directive.place, matrix_of_columns(read_numbers<16>(r.lexer)));
+}
+void run_translate(Reading& r) {
+    const auto n = read_numbers<3>(r.lexer);
+    r.scene.concat_transform(r.directive.place, translation({n[0], n[1], n[2]}));
+}
+void run_scale(Reading& r) {
+    const auto n = read_numbers<3>(r.lexer);
+    r.scene.concat_transform(r.directive.place, scaling({n[0], n[1], n[2]}));
+}
+void run_rotate(Reading& r) {
+    const auto n = read_numbers<4>(r.lexer);
+    if (n[1] == 0.0 && n[2] == 0.0 && n[3] == 0.0) {
+        throw SceneError(r.directive.place, "Rotate about 0 0 0", "an axis of some length");
+    }
+    r.scene.concat_transform(r.directive.place, rotation(n[0], {n[1], n[2], n[3]}));
+}
+void run_look_at(Reading& r) {
+    const auto n = read_numbers<9>(r.lexer);
+    const Imath::M44d matrix = look_at({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]});
+    if (!is_invertible(matrix)) {
+        throw SceneError(r.directive.place, "LookAt whose eye, look and up give no frame",
+                         "two points apart, and an up direction that is not along the line between them");
+    }
+    r.scene.concat_transform(r.directive.place, matrix);
+}
+
+void run_world_begin(Reading& r) { r.scene.world_begin(r.directive.place); }
+void run_attribute_begin(Reading& r) { r.scene.attribute_begin(r.directive.place); }
+void run_attribute_end(Reading& r) { r.scene.attribute_end(r.directive.place); }
+void run_reverse_orientation(Reading& r) { r.scene.reverse_orientation(); }
+void run_named_material(Reading& r) {
+    const Token name = read_string(r.lexer, r.directive);
+    r.scene.named_material(name.place, string_value(name));
+}
+
+/// Directives of a name and parameters.
+template <auto Apply>
+void run_named(Reading& r) {
+    const Token name = read_string(r.lexer, r.directive);
+    (r.scene.*Apply)(r.directive.place, {string_value(name), name.place, read_parameters(r.lexer)});
+}
+
+enum class Where { anywhere, options, world };
+
+struct Directive {
+    std::string_view name;
+    Where where = Where::anywhere;
+    void (*run)(Reading&) = nullptr;
+    Support support = Support::here;
+};
+
+using enum Where;
+constexpr Directive kDirectives[] = {
+    {"AreaLightSource", world, run_named<&SceneBuilder::area_light_source>},
+    {"AttributeBegin", world, run_attribute_begin},
+    {"AttributeEnd", world, run_attribute_end},
+    {"Camera", options, run_named<&SceneBuilder::camera>},
+    {"ConcatTransform", anywhere, run_concat_transform},
+    {"Film", options, run_named<&SceneBuilder::film>},
+    {"Identity", anywhere, run_identity},
+    {"Integrator", options, run_named<&SceneBuilder::integrator>},
+    {"LightSource", world, run_named<&SceneBuilder::light_source>},
+    {"LookAt", anywhere, run_look_at},
+    {"MakeNamedMaterial", world, run_named<&SceneBuilder::make_named_material>},
+    {"Material", world, run_named<&SceneBuilder::material>},
+    {"NamedMaterial", world, run_named_material},
+    {"PixelFilter", options, run_named<&SceneBuilder::pixel_filter>},
+    {"ReverseOrientation", world, run_reverse_orientation},
+    {"Rotate", anywhere, run_rotate},
+    {"Sampler", options, run_named<&SceneBuilder::sampler>},
+    {"Scale", anywhere, run_scale},
+    {"Shape", world, run_named<&SceneBuilder::shape>},
+    {"Transform", anywhere, run_transform},
+    {"Translate", anywhere, run_translate},
+    {"WorldBegin", options, run_world_begin},
+    {.name = "Accelerator", .support = Support::pbrt_only},
+    {.name = "ActiveTransform", .support = Support::pbrt_only},
+    {.name = "Attribute", .support = Support::pbrt_only},
+    {.name = "ColorSpace", .support = Support::pbrt_only},
+    {.name = "CoordinateSystem", .support = Support::pbrt_only},
+    {.name = "CoordSysTransform", .support = Support::pbrt_only},
+    {.name = "Import", .support = Support::pbrt_only},
+    {.name = "Include", .support = Support::pbrt_only},
+    {.name = "MakeNamedMedium", .support = Support::pbrt_only},
+    {.name = "MediumInterface", .support = Support::pbrt_only},
+    {.name = "ObjectBegin", .support = Support::pbrt_only},
+    {.name = "ObjectEnd", .support = Support::pbrt_only},
+    {.name = "ObjectInstance", .support = Support::pbrt_only},
+    {.name = "Option", .support = Support::pbrt_only},
+    {.name = "Texture", .support = Support::pbrt_only},
+    {.name = "TransformBegin", .support = Support::pbrt_only},
+    {.name = "TransformEnd", .support = Support::pbrt_only},
+    {.name = "TransformTimes", .support = Support::pbrt_only},
+};
+
+void check_block(const Token& token, const Directive& directive, SceneBlock block) {
+    if (directive.where == options && block == SceneBlock::world) {
+        throw SceneError(token.place, fmt::format("{} after WorldBegin", directive.name), "it before, and only there");
+    }
+    if (directive.where == world && block == SceneBlock::options) {
+        throw SceneError(token.place, fmt::format("{} before WorldBegin", directive.name), "it after, and only there");
+    }
+}
+
+/// The whole content of a file.
+std::string content_of(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto type = std::filesystem::status(path, error).type();
+    using std::filesystem::file_type;
+    if (type == file_type::not_found) throw IoError(path, "no such file");
+    if (type == file_type::directory) throw IoError(path, "is a folder, not a scene file");
+    // Devices may never end.
+    if (type != file_type::regular && type != file_type::fifo) throw IoError(path, "is no file that can be read");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw IoError(path, "can't be opened for reading");
+    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (file.bad()) throw IoError(path, "reading failed");
+    return content;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path) { return parse_scene(content_of(path), path); }
+
+Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
+    const SourceText source{name, text};
+    Lexer lexer(source);
+    SceneBuilder scene(name.parent_path());
+    while (lexer.peek().kind != TokenKind::end) {
+        Reading reading{lexer, scene, lexer.next()};
+        const Token& token = reading.directive;
+        if (token.kind != TokenKind::word) throw SceneError(token.place, describe(token), "a directive");
+        const auto& directive = supported_row<Directive>(token.place, "directive", token.text, kDirectives);
+        check_block(token, directive, scene.block());
+        directive.run(reading);
+    }
+    return scene.finish(lexer.peek().place);
+}
+
+}  // namespace emulsion

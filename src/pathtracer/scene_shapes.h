@@ -1,0 +1,41 @@
+#pragma once
+// Shape directives to geometry in world space.
+//
+// Which way a mesh faces is settled here: triangles are wound, and flip_normal set, so that the geometric normal is the
+// one that pbrt-v4 uses. Without N that is the cross product of the world-space edges, turned round if
+// ReverseOrientation or a transformation that swaps handedness (but not both) says so; with N it is the side that the
+// normals of the three corners point to. A sphere's is outward, turned by ReverseOrientation alone.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Imath/ImathMatrix.h>
+
+#include "pathtracer/scene.h"
+#include "pathtracer/scene_parameters.h"
+
+namespace emulsion {
+
+enum class Orientation { as_given, reversed };
+
+struct ShapeFrame {
+    Imath::M44d world_from_object;
+    Orientation orientation = Orientation::as_given;
+};
+
+using Geometry = std::variant<TriangleMesh, Sphere>;
+
+/// Triangles without area are left out and counted in a warning; if none is left, the shape is unset.
+///
+/// A bilinear patch becomes two triangles: it must be flat (to 1e-5 of its diagonal) and convex. Texture coordinates
+/// and tangents (uv, S) are checked, and dropped: nothing here depends on them. \throws SceneError naming the token at
+/// fault.
+[[nodiscard]] std::optional<Geometry> read_shape(const ParameterList& list, const ShapeFrame& frame,
+                                                 std::vector<std::string>& warnings);
+
+/// Area in world space.
+[[nodiscard]] double world_area(const Geometry& geometry);
+
+}  // namespace emulsion

@@ -1,0 +1,172 @@
+#include "pathtracer/scene_spectra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/units.h"
+#include "spectrum/colorimetry.h"
+#include "spectrum/named_spectra.h"
+#include "spectrum/rgb_space.h"
+
+namespace emulsion {
+
+namespace {
+
+/// What values a spectrum may have.
+struct Bounds {
+    double max;
+    std::string_view expected;
+};
+constexpr Bounds kReflectanceBounds = {1.0, "reflectances from 0 to 1"};
+constexpr Bounds kLightBounds = {HUGE_VAL, "0 or a number above"};
+
+bool within(double value, const Bounds& bounds) noexcept { return value >= 0.0 && value <= bounds.max; }
+
+/// Pairs of wavelength and value. `place_of(i)` is the place of number i.
+template <class PlaceOf>
+PiecewiseLinearSpectrum spectrum_of_pairs(const std::vector<double>& numbers, const Bounds& bounds, PlaceOf place_of) {
+    PiecewiseLinearSpectrum spectrum;
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        const double lambda_nm = numbers[i], value = numbers[i + 1];
+        const double previous_nm = i == 0 ? 0.0 : numbers[i - 2];
+        if (!(lambda_nm > previous_nm)) {
+            throw SceneError(place_of(i), fmt::format("the wavelength {} nm", lambda_nm),
+                             fmt::format("wavelengths that rise from pair to pair, here one above {} nm", previous_nm));
+        }
+        if (!within(value, bounds)) {
+            throw SceneError(place_of(i + 1), fmt::format("{} at {} nm", value, lambda_nm),
+                             std::string(bounds.expected));
+        }
+        spectrum.lambda_nm.push_back(lambda_nm);
+        spectrum.value.push_back(value);
+    }
+    return spectrum;
+}
+
+/// Reads a file of pairs; its errors name places in that file.
+PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path, const std::string& content,
+                                           const Bounds& bounds) {
+    const SourceText source{path, content};
+    Lexer lexer(source);
+    std::vector<double> numbers;
+    std::vector<SourcePlace> places;
+    for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next()) {
+        numbers.push_back(number_value(token));
+        places.push_back(token.place);
+    }
+    if (numbers.empty() || numbers.size() % 2 != 0) {
+        throw SceneError(lexer.peek().place, fmt::format("the end of the file after {} numbers", numbers.size()),
+                         "pairs of wavelength and value");
+    }
+    return spectrum_of_pairs(numbers, bounds, [&](std::size_t i) { return places[i]; });
+}
+
+std::optional<std::string> content_of(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file) return std::nullopt;
+    return content;
+}
+
+/// A named spectrum, or one from a file.
+Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem::path& folder, const Bounds& bounds) {
+    const std::string& name = parameter.strings.front();
+    if (const auto named = named_spectrum(name)) {
+        const auto* const table = std::get_if<PiecewiseLinearSpectrum>(&*named);
+        const auto outside = [&](double value) { return !within(value, bounds); };
+        if (table != nullptr && std::any_of(table->value.begin(), table->value.end(), outside)) {
+            throw SceneError(parameter.first_value, "the spectrum " + quote(name), std::string(bounds.expected));
+        }
+        return *named;
+    }
+    const std::filesystem::path path = folder / name;
+    if (const auto content = content_of(path)) return read_spectrum_file(path, *content, bounds);
+
+    const std::vector<std::string> known = named_spectrum_names();
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    if (is_known_to_pbrt(name)) {
+        throw SceneError(parameter.first_value, "spectrum " + quote(name),
+                         fmt::format("a supported one (known to pbrt-v4 and not yet supported here; supported: {})",
+                                     fmt::join(names, ", ")));
+    }
+    throw SceneError(parameter.first_value, "spectrum " + quote(name),
+                     "a known one, or a file that can be read " + nearest_hint(name, names));
+}
+
+/// The three numbers of an rgb parameter.
+RGBd rgb_of(const SceneParameter& parameter, const Bounds& bounds) {
+    if (parameter.numbers.size() != 3) {
+        throw SceneError(parameter.place, fmt::format("{} values for an rgb colour", parameter.numbers.size()), "3");
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (within(parameter.numbers[i], bounds)) continue;
+        throw SceneError(place_of_value(parameter, i), fmt::format("{}", parameter.numbers[i]),
+                         std::string(bounds.expected));
+    }
+    return {parameter.numbers[0], parameter.numbers[1], parameter.numbers[2]};
+}
+
+/// Every type but rgb.
+Spectrum spectrum_of(const SceneParameter& parameter, const std::filesystem::path& folder, const Bounds& bounds) {
+    const std::vector<double>& numbers = parameter.numbers;
+    if (parameter.type == DeclaredType::blackbody) {
+        if (numbers.size() != 1) {
+            throw SceneError(parameter.place, fmt::format("{} values for a blackbody", numbers.size()),
+                             "1, its temperature");
+        }
+        if (!(numbers[0] > 0.0)) {
+            throw SceneError(parameter.first_value, fmt::format("a temperature of {} K", numbers[0]),
+                             "a number above 0");
+        }
+        return BlackbodySpectrum{numbers[0]};
+    }
+    if (!parameter.strings.empty()) {
+        if (parameter.strings.size() == 1) return spectrum_of_name(parameter, folder, bounds);
+        throw SceneError(parameter.place, fmt::format("{} names for one spectrum", parameter.strings.size()), "1");
+    }
+    if (numbers.size() % 2 != 0) {
+        throw SceneError(parameter.place, fmt::format("{} numbers for a spectrum", numbers.size()),
+                         "pairs of wavelength and value");
+    }
+    return spectrum_of_pairs(numbers, bounds, [&](std::size_t i) { return place_of_value(parameter, i); });
+}
+
+}  // namespace
+
+const RgbUplift& SpectrumReader::uplift() {
+    if (!uplift_) uplift_.emplace(rgb_space("sRGB"));
+    return *uplift_;
+}
+
+Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
+    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, folder_, kReflectanceBounds);
+    return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
+}
+
+Spectrum SpectrumReader::light(const SceneParameter& parameter) {
+    if (parameter.type == DeclaredType::rgb) return uplift().light(rgb_of(parameter, kLightBounds));
+    Spectrum spectrum = spectrum_of(parameter, folder_, kLightBounds);
+    const double normalisation = light_normalisation(spectrum);
+    if (!(normalisation > 0.0) || !std::isfinite(1.0 / normalisation)) {
+        throw SceneError(parameter.first_value, "a light spectrum without visible light",
+                         "one whose luminance is above 0 and finite");
+    }
+    return spectrum;
+}
+
+Spectrum default_light_spectrum() { return named_spectrum("stdillum-D65").value(); }
+
+ScaledSpectrum absolute(Spectrum spectrum, double photometric_scale) {
+    const double scale = photometric_scale / (kLuminousEfficacy * light_normalisation(spectrum));
+    return {std::move(spectrum), scale};
+}
+
+}  // namespace emulsion
