@@ -23,6 +23,7 @@
 #include "film/film.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/render.h"
+#include "pathtracer/sample_sequence.h"
 #include "pathtracer/scene_parser.h"
 
 namespace emulsion::cli {

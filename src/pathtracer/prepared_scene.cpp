@@ -18,27 +18,40 @@ double strength(const ScaledSpectrum& spectrum) { return photometric_integral(sp
 
 }  // namespace
 
+std::vector<double> LightPowers::weights() const {
+    const double total = std::accumulate(emitter.begin(), emitter.end(), 0.0);
+    std::vector<double> weights(emitter.size());
+    std::size_t begin = 0;
+    for (const std::size_t end : light_end) {
+        const auto first = emitter.begin() + static_cast<std::ptrdiff_t>(begin);
+        const double of_light = std::accumulate(first, emitter.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+        const double equal_share = 1.0 / static_cast<double>(light_end.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const double within_light = of_light > 0.0 ? emitter[i] / of_light : 1.0 / static_cast<double>(end - begin);
+            weights[i] = within_light * 0.5 * (equal_share + (total > 0.0 ? of_light / total : equal_share));
+        }
+        begin = end;
+    }
+    return weights;
+}
+
 PreparedScene::PreparedScene(Scene scene, int threads)
     : scene_(std::move(scene)), accelerator_(std::make_unique<Accelerator>(scene_.shapes, threads)) {
     for (const Material& material : scene_.materials) {
         material_reflectance_.push_back(add_spectrum(std::get<DiffuseMaterial>(material).reflectance, 1.0));
     }
 
-    // Emitters are picked in proportion to the luminous flux that they send into the scene.
-    std::vector<double> powers;
+    LightPowers powers;
     shapes_.reserve(scene_.shapes.size());
     for (const Shape& shape : scene_.shapes) add_shape(shape, powers);
     for (const Light& light : scene_.lights) add_light(light, powers);
     if (emitters_.empty()) return;
-    double total = std::accumulate(powers.begin(), powers.end(), 0.0);
-    if (!(total > 0.0)) {
-        powers.assign(powers.size(), 1.0);
-        total = static_cast<double>(powers.size());
+    const std::vector<double> weights = powers.weights();
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        emitters_[i].selection_probability = static_cast<float>(weights[i] / total);
     }
-    for (std::size_t i = 0; i < powers.size(); ++i) {
-        emitters_[i].selection_probability = static_cast<float>(powers[i] / total);
-    }
-    picker_ = EmitterPicker(powers);
+    picker_ = EmitterPicker(weights);
 }
 
 std::uint32_t PreparedScene::add_spectrum(const Spectrum& spectrum, double scale) {
@@ -46,7 +59,7 @@ std::uint32_t PreparedScene::add_spectrum(const Spectrum& spectrum, double scale
     return static_cast<std::uint32_t>(spectra_.size() - 1);
 }
 
-void PreparedScene::add_shape(const Shape& shape, std::vector<double>& powers) {
+void PreparedScene::add_shape(const Shape& shape, LightPowers& powers) {
     PreparedShape prepared;
     prepared.reflectance = material_reflectance_.at(static_cast<std::size_t>(shape.material));
     prepared.mesh = std::get_if<TriangleMesh>(&shape.geometry);
@@ -63,7 +76,7 @@ void PreparedScene::add_shape(const Shape& shape, std::vector<double>& powers) {
             for (std::uint32_t i = 0; i < prepared.mesh->triangle.size(); ++i) {
                 const TriangleGeometry triangle(*prepared.mesh, i);
                 emitters_.push_back({TriangleEmitter{triangle, light.two_sided}, radiance});
-                powers.push_back(exitance * static_cast<double>(triangle.area));
+                powers.emitter.push_back(exitance * static_cast<double>(triangle.area));
             }
         } else {
             // Of an ellipsoid, the area of the sphere of the same volume: good enough to pick by.
@@ -71,29 +84,31 @@ void PreparedScene::add_shape(const Shape& shape, std::vector<double>& powers) {
             const double volume_scale = std::abs(sphere.world_from_object.determinant());
             const double radius = sphere.radius * std::cbrt(volume_scale);
             emitters_.push_back({SphereEmitter{sphere, light.two_sided}, radiance});
-            powers.push_back(exitance * 4.0 * kPi * radius * radius);
+            powers.emitter.push_back(exitance * 4.0 * kPi * radius * radius);
         }
+        powers.light_end.push_back(emitters_.size());
     }
     shapes_.push_back(std::move(prepared));
 }
 
-void PreparedScene::add_light(const Light& light, std::vector<double>& powers) {
+void PreparedScene::add_light(const Light& light, LightPowers& powers) {
     const double scene_radius = std::max(static_cast<double>(accelerator_->bounds_radius()), 1e-30);
     const double scene_disk = kPi * scene_radius * scene_radius;
     if (const auto* point = std::get_if<PointLight>(&light)) {
         const std::uint32_t spectrum = add_spectrum(point->intensity.spectrum, point->intensity.scale);
         emitters_.push_back({PointEmitter{Imath::V3f(point->position)}, spectrum});
-        powers.push_back(4.0 * kPi * strength(point->intensity));
+        powers.emitter.push_back(4.0 * kPi * strength(point->intensity));
     } else if (const auto* distant = std::get_if<DistantLight>(&light)) {
         const std::uint32_t spectrum = add_spectrum(distant->irradiance.spectrum, distant->irradiance.scale);
         emitters_.push_back({DistantEmitter{Imath::V3f(distant->to_light)}, spectrum});
-        powers.push_back(scene_disk * strength(distant->irradiance));
+        powers.emitter.push_back(scene_disk * strength(distant->irradiance));
     } else if (const auto* infinite = std::get_if<UniformInfiniteLight>(&light)) {
         infinite_emitters_.push_back(static_cast<std::uint32_t>(emitters_.size()));
         const std::uint32_t spectrum = add_spectrum(infinite->radiance.spectrum, infinite->radiance.scale);
         emitters_.push_back({InfiniteEmitter{}, spectrum});
-        powers.push_back(4.0 * kPi * scene_disk * strength(infinite->radiance));
+        powers.emitter.push_back(4.0 * kPi * scene_disk * strength(infinite->radiance));
     }
+    powers.light_end.push_back(emitters_.size());
 }
 
 }  // namespace emulsion

@@ -1,6 +1,7 @@
 #pragma once
 // A scene made ready for rendering: hierarchy, spectra as tables, light sources as a list to pick from.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,6 +14,16 @@
 #include "spectrum/spectrum_table.h"
 
 namespace emulsion {
+
+/// The luminous fluxes by which emitters are picked.
+struct LightPowers {
+    std::vector<double> emitter;         ///< of each, in lm/683
+    std::vector<std::size_t> light_end;  ///< one past the last emitter of each light: a shape has one for each triangle
+
+    /// Half by flux and half in equal shares to all lights, so that none is starved whose flux says little about how it
+    /// lights what is seen: a small lamp in a large landscape under the sun. Positive sum, unless there are no lights.
+    [[nodiscard]] std::vector<double> weights() const;
+};
 
 class PreparedScene {
   public:
@@ -41,8 +52,8 @@ class PreparedScene {
 
   private:
     std::uint32_t add_spectrum(const Spectrum& spectrum, double scale);
-    void add_shape(const Shape& shape, std::vector<double>& powers);
-    void add_light(const Light& light, std::vector<double>& powers);
+    void add_shape(const Shape& shape, LightPowers& powers);
+    void add_light(const Light& light, LightPowers& powers);
 
     Scene scene_;
     std::unique_ptr<Accelerator> accelerator_;

@@ -167,8 +167,14 @@ TEST_P(Irradiance, SomethingInBetweenCastsAShadow) {
     EXPECT_EQ(estimate_radiance(scene, towards_floor(2.99f, 0), 100, GetParam()).mean[0], 0.0);
 }
 
+std::string sampler_name(const ::testing::TestParamInfo<Sampler>& info) {
+    const char* const names[] = {"Independent", "Stratified", "PaddedSobol"};
+    return names[info.param.index()];
+}
+
 INSTANTIATE_TEST_SUITE_P(Samplers, Irradiance,
-                         ::testing::Values(IndependentSampler{}, StratifiedSampler{100, 200}, PaddedSobolSampler{}));
+                         ::testing::Values(IndependentSampler{}, StratifiedSampler{100, 200}, PaddedSobolSampler{}),
+                         sampler_name);
 
 }  // namespace
 }  // namespace emulsion::testing
