@@ -26,9 +26,10 @@ class ImageView {
 
     /// Pixels that may be changed may also be only looked at.
     template <class Mutable>
-    requires std::is_same_v<const Mutable, T> ImageView(const ImageView<Mutable>& other)
-    noexcept  // NOLINT(google-explicit-constructor)
-        : ImageView(other.pixels().data(), other.width(), other.height()) {}
+    requires std::is_same_v<const Mutable, T>
+    // NOLINTNEXTLINE(google-explicit-constructor): adding const loses nothing
+    ImageView(const ImageView<Mutable>& other)
+    noexcept : data_(other.pixels().data()), width_(other.width()), height_(other.height()) {}
 
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
@@ -67,12 +68,17 @@ class Image {
     [[nodiscard]] int height() const noexcept { return height_; }
     [[nodiscard]] T& operator()(int x, int y) noexcept { return pixels_[index(x, y)]; }
     [[nodiscard]] const T& operator()(int x, int y) const noexcept { return pixels_[index(x, y)]; }
-    [[nodiscard]] std::span<T> row(int y) noexcept { return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)}; }
-    [[nodiscard]] std::span<const T> row(int y) const noexcept {
+    [[nodiscard]] std::span<T> row(int y) & noexcept {
         return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)};
     }
-    [[nodiscard]] std::span<T> pixels() noexcept { return pixels_; }
-    [[nodiscard]] std::span<const T> pixels() const noexcept { return pixels_; }
+    [[nodiscard]] std::span<const T> row(int y) const& noexcept {
+        return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)};
+    }
+    [[nodiscard]] std::span<T> pixels() & noexcept { return pixels_; }
+    [[nodiscard]] std::span<const T> pixels() const& noexcept { return pixels_; }
+    /// Not of a temporary: a range-for over it would read freed pixels.
+    void pixels() const&& = delete;
+    void row(int y) const&& = delete;
     [[nodiscard]] ImageView<T> view() noexcept { return {pixels_.data(), width_, height_}; }
     [[nodiscard]] ImageView<const T> view() const noexcept { return {pixels_.data(), width_, height_}; }
     bool operator==(const Image&) const = default;

@@ -30,6 +30,20 @@ class VisibleWavelengthPdf {
         return kSteepness * (1.0 - t * t) / tanh_range_;
     }
 
+    /// One wavelength with its density.
+    struct Sample {
+        float lambda_nm, pdf;
+    };
+
+    /// sample_nm(u) and pdf() there in one: the density needs no second tanh. Within 1e-4 nm of the twins, and a
+    /// relative 1e-6.
+    [[nodiscard]] Sample sample(double u) const noexcept {
+        const double t = tanh_min_ + u * tanh_range_;
+        const float twice_atanh = std::log(static_cast<float>((1.0 + t) / (1.0 - t)));
+        return {static_cast<float>(kCentre_nm) + twice_atanh * static_cast<float>(0.5 / kSteepness),
+                static_cast<float>(kSteepness * (1.0 - t * t) / tanh_range_)};
+    }
+
   private:
     static constexpr double kSteepness = 0.0072;  // 1/nm
     static constexpr double kCentre_nm = 538.0;
@@ -47,9 +61,9 @@ template <int N>
     for (int i = 0; i < N; ++i) {
         double rotated = static_cast<double>(u) + static_cast<double>(i) / N;
         if (rotated >= 1.0) rotated -= 1.0;
-        const auto lambda_nm = static_cast<float>(distribution.sample_nm(rotated));
-        wavelengths.lambda_nm[static_cast<std::size_t>(i)] = lambda_nm;
-        wavelengths.pdf[static_cast<std::size_t>(i)] = static_cast<float>(distribution.pdf(lambda_nm));
+        const VisibleWavelengthPdf::Sample sample = distribution.sample(rotated);
+        wavelengths.lambda_nm[static_cast<std::size_t>(i)] = sample.lambda_nm;
+        wavelengths.pdf[static_cast<std::size_t>(i)] = sample.pdf;
     }
     return wavelengths;
 }

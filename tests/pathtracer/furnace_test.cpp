@@ -93,7 +93,8 @@ TEST(FurnaceFilm, PixelsHoldTheXyzOfTheRadiance) {
         render(prepared, {.samples_per_pixel = 64, .seed = 7, .wavelengths = wavelengths, .threads = 1}, film,
                progress);
         double sum = 0.0, sum_of_squares = 0.0, count = 0.0;
-        for (const XYZ& pixel : film.xyz_image().pixels()) {
+        const Image<XYZ> picture = film.xyz_image();
+        for (const XYZ& pixel : picture.pixels()) {
             const double y = static_cast<double>(pixel.y);
             sum += y;
             sum_of_squares += y * y;
