@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/core.h>
 
+#include "core/units.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/data_table.h"
 
@@ -30,14 +32,18 @@ PiecewiseLinearSpectrum daylight(const Chromaticity& chromaticity) {
     };
     const double m1 = minor(2, 0) / minor(1, 2), m2 = minor(0, 1) / minor(1, 2);
 
-    PiecewiseLinearSpectrum mixture = component[0];
-    for (std::size_t i = 0; i < mixture.value.size(); ++i) {
-        mixture.value[i] += m1 * component[1].value[i] + m2 * component[2].value[i];
-        if (!(std::isfinite(mixture.value[i]) && mixture.value[i] >= 0.0)) {
+    PiecewiseLinearSpectrum mixture;
+    for (std::size_t i = 0; i < component[0].lambda_nm.size(); ++i) {
+        const double lambda_nm = component[0].lambda_nm[i];
+        if (lambda_nm < kMinWavelength_nm || lambda_nm > kMaxWavelength_nm) continue;
+        const double value = component[0].value[i] + m1 * component[1].value[i] + m2 * component[2].value[i];
+        if (!(std::isfinite(value) && value >= 0.0)) {
             throw std::invalid_argument(
                 fmt::format("daylight of chromaticity ({}, {}) would be {} at {} nm: expected one nearer to daylight",
-                            chromaticity.x, chromaticity.y, mixture.value[i], mixture.lambda_nm[i]));
+                            chromaticity.x, chromaticity.y, value, lambda_nm));
         }
+        mixture.lambda_nm.push_back(lambda_nm);
+        mixture.value.push_back(value);
     }
     return mixture;
 }

@@ -12,6 +12,7 @@
 
 #include "spectrum/data_table.h"
 #include "spectrum/daylight.h"
+#include "spectrum/sigmoid.h"
 
 namespace emulsion {
 
@@ -26,9 +27,6 @@ void require_components(const RGBd& rgb, double largest, std::string_view expect
     require('g', rgb.g);
     require('b', rgb.b);
 }
-
-// The constant reflectance v in [0, 1]: sigmoid(c2) = v solved for c2, infinite for 0 and 1.
-SigmoidSpectrum constant_sigmoid(double v) noexcept { return {{0.0, 0.0, (v - 0.5) / std::sqrt(v * (1.0 - v))}}; }
 
 }  // namespace
 
@@ -55,7 +53,7 @@ RgbUplift::RgbUplift(const RgbSpace& space)
 
 SigmoidSpectrum RgbUplift::reflectance(const RGBd& rgb) const {
     require_components(rgb, 1.0, "a number in [0, 1]");
-    if (rgb.r == rgb.g && rgb.g == rgb.b) return constant_sigmoid(rgb.r);
+    if (rgb.r == rgb.g && rgb.g == rgb.b) return {{0.0, 0.0, inverse_sigmoid(rgb.r)}};
     const std::array<double, 3> xyz = relative_xyz_from_rgb_ * std::array<double, 3>{rgb.r, rgb.g, rgb.b};
     return solve_sigmoid(weights_, {xyz[0], xyz[1], xyz[2]});
 }

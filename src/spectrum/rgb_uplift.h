@@ -34,7 +34,7 @@ class RgbUplift {
     /// \throws std::invalid_argument if a component is negative or not finite.
     [[nodiscard]] RgbIlluminantSpectrum light(const RGBd& rgb) const;
 
-    /// The linear RGB of a reflectance: what the fit compares, by sums over whole nanometres.
+    /// The linear RGB of a reflectance: what the fit compares; straight lines between whole nanometres.
     [[nodiscard]] RGBd rgb_of(const Spectrum& reflectance) const noexcept;
 
   private:

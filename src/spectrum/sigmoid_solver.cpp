@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 #include "core/units.h"
 #include "spectrum/cielab.h"
 #include "spectrum/observer.h"
+#include "spectrum/sigmoid.h"
 
 namespace emulsion {
 
@@ -22,14 +24,17 @@ using Vector3 = std::array<double, 3>;
 constexpr double kCentre_nm = 550.0;
 constexpr double kWidth_nm = 100.0;
 
-// Bound on them: a reflectance that climbs within 0.1 nm is as good as a step.
-constexpr double kLargestCoefficient = 1e3;
+// Bound on them, well beyond what any colour within reach needs: where none is, they would grow for ever.
+constexpr double kLargestCoefficient = 1e6;
+
+// Luminance of the darkest constant to start from; 1 less this is the lightest.
+constexpr double kDarkestStart = 1e-9;
 
 SigmoidSpectrum sigmoid_from(const Vector3& k) noexcept {
-    // s = p t + q with the t of SigmoidSpectrum.
-    constexpr double p = (kMaxWavelength_nm - kMinWavelength_nm) / kWidth_nm;
-    constexpr double q = (kMinWavelength_nm - kCentre_nm) / kWidth_nm;
-    return {{k[0] * p * p, 2.0 * k[0] * p * q + k[1] * p, (k[0] * q + k[1]) * q + k[2]}};
+    // s = scale * t + offset with the t of SigmoidSpectrum.
+    constexpr double kScale = (kMaxWavelength_nm - kMinWavelength_nm) / kWidth_nm;
+    constexpr double kOffset = (kMinWavelength_nm - kCentre_nm) / kWidth_nm;
+    return {{k[0] * kScale * kScale, (2.0 * k[0] * kOffset + k[1]) * kScale, (k[0] * kOffset + k[1]) * kOffset + k[2]}};
 }
 
 // Residual in CIELAB and its derivatives by the coefficients.
@@ -53,9 +58,8 @@ Linearisation linearise(const ReflectanceWeights& weights, const Vector3& k, con
     for (std::size_t i = 0; i < weights.xyz[0].size(); ++i) {
         const double s = (kMinWavelength_nm + static_cast<double>(i) - kCentre_nm) / kWidth_nm;
         const double x = (k[0] * s + k[1]) * s + k[2];
-        const double inverse_root = 1.0 / std::sqrt(1.0 + x * x);
-        const double reflectance = 0.5 + 0.5 * x * inverse_root;
-        const double slope = 0.5 * inverse_root * inverse_root * inverse_root;
+        const double reflectance = sigmoid(x);
+        const double slope = 0.5 / ((1.0 + x * x) * std::sqrt(1.0 + x * x));
         for (std::size_t j = 0; j < 3; ++j) {
             const double weight = weights.xyz[j][i], weighted_slope = weight * slope;
             xyz[j] += weight * reflectance;
@@ -130,7 +134,10 @@ void improve(const ReflectanceWeights& weights, const Lab& target, const Limits&
     Linearisation at = linearise(weights, k, target);
     for (int i = 1; i < limits.evaluations && at.cost > limits.cost && damping < 1e12; ++i) {
         const std::optional<Vector3> step = damped_step(at, damping);
-        if (!step) return;
+        if (!step) {
+            damping *= 10.0;
+            continue;
+        }
         const Vector3 trial = {k[0] + (*step)[0], k[1] + (*step)[1], k[2] + (*step)[2]};
         const Linearisation there = linearise(weights, trial, target);
         if (within_bound(trial) && there.cost < at.cost) {
@@ -150,13 +157,21 @@ ReflectanceWeights reflectance_weights(const Spectrum& illuminant) {
     const std::array<double XYZd::*, 3> functions = {&XYZd::x, &XYZd::y, &XYZd::z};
     ReflectanceWeights weights;
     for (std::size_t i = 0; i < 3; ++i) {
-        double sum = 0.0;
-        for (int lambda_nm = kMinWavelength_nm; lambda_nm <= kMaxWavelength_nm; ++lambda_nm) {
-            weights.xyz[i].push_back(eval(illuminant, lambda_nm) * eval(observer, lambda_nm).*functions[i]);
-            sum += weights.xyz[i].back();
+        std::vector<double>& weight = weights.xyz[i];
+        weight.assign(kMaxWavelength_nm - kMinWavelength_nm + 1, 0.0);
+        const auto product = [&](double lambda_nm) {
+            return eval(illuminant, lambda_nm) * eval(observer, lambda_nm).*functions[i];
+        };
+        // Each cell's integral of product times falling and rising line, by Simpson's rule: exact for straight lines.
+        for (std::size_t cell = 0; cell + 1 < weight.size(); ++cell) {
+            const double start_nm = kMinWavelength_nm + static_cast<double>(cell);
+            const double middle = product(start_nm + 0.5);
+            weight[cell] += (product(start_nm) + 2.0 * middle) / 6.0;
+            weight[cell + 1] += (2.0 * middle + product(start_nm + 1.0)) / 6.0;
         }
+        const double sum = std::accumulate(weight.begin(), weight.end(), 0.0);
         if (!(sum > 0.0)) throw std::invalid_argument("illuminant: 0 in the visible, expected light");
-        for (double& weight : weights.xyz[i]) weight /= sum;
+        for (double& w : weight) w /= sum;
     }
     return weights;
 }
@@ -171,10 +186,12 @@ XYZd relative_xyz(const ReflectanceWeights& weights, const Spectrum& reflectance
 }
 
 SigmoidSpectrum solve_sigmoid(const ReflectanceWeights& weights, const XYZd& target) noexcept {
-    // Half-way first, roughly: every colour there is easy, and the way on is short.
-    const XYZd white = {1.0, 1.0, 1.0}, mid_grey = {0.5, 0.5, 0.5};
-    const XYZd half_way = 0.5 * (mid_grey + target);
-    Vector3 k{};
+    // From the constant of the same luminance, which has coefficients of the right size also for dark colours, by way
+    // of the colour of half the saturation: that one is easy, and from there it isn't far.
+    const XYZd white = {1.0, 1.0, 1.0};
+    const double grey = std::clamp(target.y, kDarkestStart, 1.0 - kDarkestStart);
+    const XYZd half_way = 0.5 * (grey * white + target);
+    Vector3 k = {0.0, 0.0, inverse_sigmoid(grey)};
     improve(weights, lab_from_xyz(half_way, white), {.cost = 1e-2, .evaluations = 20}, k);
     improve(weights, lab_from_xyz(target, white), {.cost = 1e-18, .evaluations = 100}, k);
     return sigmoid_from(k);

@@ -12,13 +12,14 @@
 
 namespace emulsion {
 
-/// Integrals of a reflectance with an illuminant and an observer as sums over whole nanometres, kMinWavelength_nm to
-/// kMaxWavelength_nm. The weights of each sum add up to 1, so that white-relative XYZ results.
+/// Integrals of a reflectance with an illuminant and an observer, as sums over its values at whole nanometres from
+/// kMinWavelength_nm to kMaxWavelength_nm with straight lines between. The weights of each sum add up to 1, so that
+/// white-relative XYZ results.
 struct ReflectanceWeights {
     std::array<std::vector<double>, 3> xyz;
 };
 
-/// CIE 1931 observer.
+/// CIE 1931 observer. Exact for an illuminant with knots at whole nanometres and no jump within the visible.
 /// \throws std::invalid_argument if the illuminant is 0 in the visible.
 [[nodiscard]] ReflectanceWeights reflectance_weights(const Spectrum& illuminant);
 
@@ -26,8 +27,8 @@ struct ReflectanceWeights {
 [[nodiscard]] XYZd relative_xyz(const ReflectanceWeights& weights, const Spectrum& reflectance) noexcept;
 
 /// The sigmoid whose CIELAB difference from `target`, white-relative XYZ, is least: below 1e-9 where a sigmoid reaches
-/// the colour, else a local minimum, with coefficients bounded so that no edge is sharper than about 0.1 nm. Not for
-/// the ideal black and white, which only infinite coefficients reach.
+/// the colour (1e-3 for the darkest saturated ones), else a local minimum with bounded coefficients. Not for the ideal
+/// black and white, which only infinite coefficients reach.
 [[nodiscard]] SigmoidSpectrum solve_sigmoid(const ReflectanceWeights& weights, const XYZd& target) noexcept;
 
 }  // namespace emulsion

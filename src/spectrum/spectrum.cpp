@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "spectrum/blackbody.h"
+#include "spectrum/sigmoid.h"
 
 namespace emulsion {
 
@@ -32,13 +34,23 @@ double value_of(const BlackbodySpectrum& spectrum, double lambda_nm) noexcept {
 
 double value_of(const SigmoidSpectrum& spectrum, double lambda_nm) noexcept {
     const double t = (lambda_nm - 360.0) / 470.0;
-    const double x = (spectrum.c[0] * t + spectrum.c[1]) * t + spectrum.c[2];
-    if (std::abs(x) > 1e8) return x > 0.0 ? 1.0 : 0.0;  // so already in rounding; the formula is inf/inf further out
-    return std::clamp(0.5 + x / (2.0 * std::sqrt(1.0 + x * x)), 0.0, 1.0);
+    return sigmoid((spectrum.c[0] * t + spectrum.c[1]) * t + spectrum.c[2]);
 }
 
 double value_of(const RgbIlluminantSpectrum& spectrum, double lambda_nm) noexcept {
     return spectrum.scale * value_of(spectrum.sigmoid, lambda_nm) * value_of(spectrum.illuminant, lambda_nm);
+}
+
+// std::visit, but noexcept: that one throws for a variant without a value, which an assignment that ran out of memory
+// leaves; here such a spectrum has the value NaN.
+template <std::size_t kIndex = 0>
+double value_of_alternative(const Spectrum& spectrum, double lambda_nm) noexcept {
+    if constexpr (kIndex == std::variant_size_v<Spectrum>) {
+        return std::numeric_limits<double>::quiet_NaN();
+    } else {
+        if (const auto* alternative = std::get_if<kIndex>(&spectrum)) return value_of(*alternative, lambda_nm);
+        return value_of_alternative<kIndex + 1>(spectrum, lambda_nm);
+    }
 }
 
 // The part of a spectrum that has knots, if any.
@@ -97,9 +109,7 @@ void check(const RgbIlluminantSpectrum& spectrum) {
 
 }  // namespace
 
-double eval(const Spectrum& spectrum, double lambda_nm) noexcept {
-    return std::visit([lambda_nm](const auto& alternative) { return value_of(alternative, lambda_nm); }, spectrum);
-}
+double eval(const Spectrum& spectrum, double lambda_nm) noexcept { return value_of_alternative(spectrum, lambda_nm); }
 
 double limit(const Spectrum& spectrum, double lambda_nm, Side side) noexcept {
     const PiecewiseLinearSpectrum* piecewise = piecewise_part(spectrum);

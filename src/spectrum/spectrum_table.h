@@ -1,6 +1,7 @@
 #pragma once
 // The renderer's form of a spectrum: one straight line per nanometre, single precision. Exact for piecewise linear
-// spectra with knots at whole nanometres, jumps included; the double-precision twin is eval(Spectrum, lambda_nm).
+// spectra with knots at whole nanometres, jumps included (at the jump itself, the value on its long-wave side); the
+// double-precision twin is eval(Spectrum, lambda_nm).
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,8 @@ struct SpectrumTableIndex {
 
 class SpectrumTable {
   public:
-    /// \throws std::invalid_argument if the spectrum has a value that is not finite.
+    /// Of spectrum * scale.
+    /// \throws std::invalid_argument as validate(Spectrum) does, and for values beyond the range of a float.
     explicit SpectrumTable(const Spectrum& spectrum, double scale = 1.0);
 
     template <int N>

@@ -1,0 +1,89 @@
+#include "spectrum/named_spectra.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "spectrum/data_table.h"
+
+namespace emulsion {
+namespace {
+
+using testing::Contains;
+
+double value(std::string_view name, double lambda_nm) { return eval(named_spectrum(name).value(), lambda_nm); }
+
+TEST(NamedSpectra, IlluminantsComeFromTheTables) {
+    EXPECT_EQ(named_spectrum("stdillum-D65"), Spectrum(tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65")));
+    EXPECT_EQ(named_spectrum("stdillum-F11"), Spectrum(tabulated_spectrum("illuminants_5nm", "FL11")));
+    EXPECT_EQ(named_spectrum("stdillum-FL11"), named_spectrum("stdillum-F11"));
+    EXPECT_EQ(value("stdillum-A", 810.0) > 200.0, true) << "the table that goes beyond 780 nm";
+    EXPECT_EQ(value("stdillum-HP1", 380.0), 1.9);
+}
+
+TEST(NamedSpectra, MetalsComeFromTheTables) {
+    EXPECT_NEAR(value("metal-Ag-eta", 298.75705), 1.519, 1e-12);
+    EXPECT_NEAR(value("metal-Cu-k", 885.601257), 5.717, 1e-12);
+    EXPECT_EQ(value("metal-CuZn-eta", 550.0), 0.527);
+    EXPECT_EQ(value("metal-CuZn-k", 550.0), 2.765);
+}
+
+TEST(NamedSpectra, GlassesHaveTheCataloguesIndexAndDispersion) {
+    const DataTable& table = data_table("glasses");
+    for (const std::string& glass : table.row_names) {
+        if (glass == "F5") continue;
+        const std::string name = "glass-" + glass;
+        const double nd = value(name, 587.5618), nf = value(name, 486.1327), nc = value(name, 656.2725);
+        EXPECT_NEAR(nd, table.column("nd")[table.row(glass)], 1e-5) << glass;
+        EXPECT_NEAR((nd - 1.0) / (nf - nc), table.column("Vd")[table.row(glass)], 0.03) << glass;
+        EXPECT_GT(value(name, 360.0), nf) << glass;
+        EXPECT_LT(value(name, 830.0), nc) << glass;
+    }
+}
+
+TEST(NamedSpectra, GlassesOfPbrtAreThoseOfItsTables) {
+    EXPECT_EQ(named_spectrum("glass-BK7"), named_spectrum("glass-N_BK7"));
+    EXPECT_EQ(named_spectrum("glass-F5"), named_spectrum("glass-SF5"));
+    EXPECT_EQ(named_spectrum("glass-F10"), named_spectrum("glass-SF10"));
+    EXPECT_EQ(named_spectrum("glass-F11"), named_spectrum("glass-SF11"));
+    EXPECT_NEAR(value("glass-LASF9", 589.3), 1.85004, 3e-5);
+}
+
+TEST(NamedSpectra, EveryListedNameIsAValidSpectrum) {
+    const std::vector<std::string> names = named_spectrum_names();
+    EXPECT_GE(names.size(), 80u);
+    for (const std::string& name : names) {
+        ASSERT_TRUE(named_spectrum(name).has_value()) << name;
+        EXPECT_NO_THROW(validate(*named_spectrum(name))) << name;
+        EXPECT_GT(value(name, 550.0), 0.0) << name;
+    }
+    EXPECT_THAT(names, Contains("metal-Au-k"));
+}
+
+TEST(NamedSpectra, UnknownNamesAreUnset) {
+    for (const char* name :
+         {"", "stdillum-", "stdillum-d65", "metal-Au", "metal-Au-n", "glass-", "stdillum-wavelength"}) {
+        EXPECT_FALSE(named_spectrum(name).has_value()) << name;
+        EXPECT_FALSE(is_known_to_pbrt(name)) << name;
+    }
+}
+
+TEST(NamedSpectra, KnowsWhichNamesPbrtHas) {
+    for (const char* name : {"stdillum-A", "stdillum-D50", "stdillum-F12", "metal-CuZn-eta", "glass-F11"}) {
+        EXPECT_TRUE(is_known_to_pbrt(name)) << name;
+        EXPECT_TRUE(named_spectrum(name).has_value()) << name;
+    }
+    for (const char* name : {"metal-MgO-eta", "metal-TiO2-k", "illum-acesD60", "canon_eos_5d_mkiv_r", "nikon_d850_g",
+                             "sony_ilce_9_b", "hasselblad_l1d_20c_r"}) {
+        EXPECT_TRUE(is_known_to_pbrt(name)) << name;
+        EXPECT_FALSE(named_spectrum(name).has_value()) << name;
+    }
+    for (const char* name :
+         {"stdillum-F13", "metal-Fe-eta", "glass-SF11", "nikon_d850", "nikon_d850_x", "metal-MgO-n"}) {
+        EXPECT_FALSE(is_known_to_pbrt(name)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace emulsion
