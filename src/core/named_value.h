@@ -64,6 +64,13 @@ constexpr void for_each_alternative(Visitor&& visitor) {
 /// How messages name a parameter: "tonemap reinhard-global: key"; an empty kind is left out.
 [[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
 
+/// std::visit with a visitor that doesn't throw. Alternatives are plain values, which leave no variant valueless.
+template <NamedVariant Variant, class Visitor>
+decltype(auto) visit_noexcept(Visitor&& visitor,
+                              const Variant& variant) noexcept {  // NOLINT(bugprone-exception-escape)
+    return std::visit(std::forward<Visitor>(visitor), variant);
+}
+
 /// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
 /// `kind` is the role of the value, as in parse_named.
 template <NamedValue T>

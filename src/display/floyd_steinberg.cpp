@@ -18,6 +18,7 @@ using Units = BasicRGB<std::int64_t>;
 
 std::int64_t to_units(float encoded) noexcept {
     constexpr auto kScale = static_cast<double>(kMaxCode * kUnitsPerCode);
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
     return static_cast<std::int64_t>(static_cast<double>(unit_clamp(encoded)) * kScale + 0.5);
 }
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/color.h"
+#include "core/named_value.h"
 #include "display/gamut_clip.h"
 #include "display/gamut_counts.h"
 
@@ -15,7 +16,7 @@ using GamutMapper = std::variant<GamutClip>;
 
 /// In place. Every component comes out in [0, 1], NaN as 0; pixels within the gamut stay as they are.
 [[nodiscard]] inline GamutCounts map_gamut(const GamutMapper& mapper, std::span<RGB> linear) noexcept {
-    return std::visit([&](const auto& chosen) { return map_gamut(chosen, linear); }, mapper);
+    return visit_noexcept([&](const auto& chosen) { return map_gamut(chosen, linear); }, mapper);
 }
 
 }  // namespace emulsion

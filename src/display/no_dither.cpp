@@ -10,7 +10,7 @@ namespace emulsion {
 namespace {
 
 std::uint8_t nearest_code(float encoded) noexcept {
-    // In double precision both steps are exact, so that halves are true halves.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
     return static_cast<std::uint8_t>(static_cast<double>(unit_clamp(encoded)) * kMaxCode + 0.5);
 }
 

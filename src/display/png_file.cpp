@@ -103,6 +103,7 @@ void check_text(const PngText& text) {
 /// Text chunks as libpng wants them. It only reads the strings that they point to, which stay the caller's.
 std::vector<png_text> text_chunks(const PngOptions& options) {
     std::vector<png_text> chunks;
+    chunks.reserve(options.text.size());
     for (const PngText& text : options.text) {
         check_text(text);
         png_text chunk{};
@@ -118,6 +119,7 @@ std::vector<png_text> text_chunks(const PngOptions& options) {
 std::vector<png_bytep> row_pointers(const Image<CodeRGB>& image) {
     static_assert(sizeof(CodeRGB) == 3, "rows are written as they lie in memory");
     std::vector<png_bytep> rows;
+    rows.reserve(static_cast<std::size_t>(image.height()));
     for (int y = 0; y < image.height(); ++y) {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
         rows.push_back(const_cast<png_bytep>(&image.row(y).front().r));

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/color.h"
+#include "core/named_value.h"
 #include "display/srgb_transfer.h"
 
 namespace emulsion {
@@ -15,15 +16,15 @@ using TransferFunction = std::variant<SrgbTransfer>;
 
 /// The specification, in double precision. Argument in [0, 1].
 [[nodiscard]] inline double encode(const TransferFunction& transfer, double linear) noexcept {
-    return std::visit([&](const auto& chosen) { return encode(chosen, linear); }, transfer);
+    return visit_noexcept([&](const auto& chosen) { return encode(chosen, linear); }, transfer);
 }
 [[nodiscard]] inline double decode(const TransferFunction& transfer, double encoded) noexcept {
-    return std::visit([&](const auto& chosen) { return decode(chosen, encoded); }, transfer);
+    return visit_noexcept([&](const auto& chosen) { return decode(chosen, encoded); }, transfer);
 }
 
 /// In place, single precision; each function's header states the tolerance to the specification. Components in [0, 1].
 inline void encode(const TransferFunction& transfer, std::span<RGB> linear) noexcept {
-    std::visit([&](const auto& chosen) { encode(chosen, linear); }, transfer);
+    visit_noexcept([&](const auto& chosen) { encode(chosen, linear); }, transfer);
 }
 
 }  // namespace emulsion

@@ -1,5 +1,6 @@
 #include "display/display_rgb.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,8 +16,8 @@ namespace {
 
 // The matrix of IEC 61966-2-1 as printed, to its four digits.
 TEST(DisplayRgb, SrgbMatrixIsTheStandards) {
-    constexpr double kPrinted[3][3] = {
-        {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
+    constexpr std::array<std::array<double, 3>, 3> kPrinted = {
+        {{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}};
     const Matrix3 matrix = rgb_from_xyz(SrgbDisplay{});
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {

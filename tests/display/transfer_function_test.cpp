@@ -42,6 +42,7 @@ std::vector<float> floats_of_unit_interval() {
     bits.back() = one;
     std::sort(bits.begin(), bits.end());
     std::vector<float> values;
+    values.reserve(bits.size());
     for (const std::uint32_t b : bits) values.push_back(std::bit_cast<float>(b));
     return values;
 }

@@ -1,0 +1,187 @@
+#include "develop/develop.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "core/random.h"
+#include "spectrum/rgb_space.h"
+
+namespace emulsion {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+/// A colour in scene-referred XYZ from linear sRGB times `scale_cdm2`.
+XYZ scene_xyz(const RGB& rgb, double scale_cdm2) {
+    const auto xyz = xyz_from_rgb(rgb_space("sRGB")) * std::array<double, 3>{rgb.r, rgb.g, rgb.b};
+    return {static_cast<float>(scale_cdm2 * xyz[0]), static_cast<float>(scale_cdm2 * xyz[1]),
+            static_cast<float>(scale_cdm2 * xyz[2])};
+}
+
+Image<XYZ> random_scene(int width, int height, unsigned seed) {
+    Pcg32 random(seed);
+    Image<XYZ> scene(width, height);
+    for (XYZ& pixel : scene.pixels()) {
+        pixel = scene_xyz({random.next_float(), random.next_float(), random.next_float()},
+                          std::pow(10.0, 4.0 * random.next_float() - 1.0));
+    }
+    return scene;
+}
+
+// A ramp of greys, brightest 500 cd/m^2, against the formulas of the chain, all in double precision.
+TEST(Develop, GreyRampFollowsTheFormulas) {
+    constexpr int kSteps = 4096;
+    Image<XYZ> scene(kSteps, 1);
+    for (int x = 0; x < kSteps; ++x) {
+        const float linear = static_cast<float>(x) / (kSteps - 1);
+        scene(x, 0) = scene_xyz({linear, linear, linear}, 500.0);
+    }
+    const DevelopResult result = develop(scene, {.tone_mapper = MaxToWhite{}, .dither = NoDither{}}, 1);
+    int different = 0;
+    for (int x = 0; x < kSteps; ++x) {
+        const double linear = static_cast<double>(x) / (kSteps - 1);
+        const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+        const auto code = static_cast<int>(std::lround(255.0 * encoded));
+        const CodeRGB found = result.image(x, 0);
+        // Single precision may round the other way within 1e-4 of the edge between two codes.
+        const bool on_edge = std::abs(255.0 * encoded - std::floor(255.0 * encoded) - 0.5) < 1e-4;
+        for (const int channel : {found.r, found.g, found.b}) {
+            EXPECT_TRUE(on_edge || channel == code) << x << ": " << channel << ", expected " << code;
+        }
+        different += on_edge ? 1 : 0;
+    }
+    EXPECT_LE(different, 4);
+    EXPECT_EQ(result.image(0, 0), (CodeRGB{0, 0, 0}));
+    EXPECT_EQ(result.image(kSteps - 1, 0), (CodeRGB{255, 255, 255}));
+    EXPECT_EQ(result.report.gamut.outside, 0);
+}
+
+// All 256 codes, as linear light of a display: each comes back as itself through every dither.
+TEST(Develop, EveryCodeSurvivesTheChain) {
+    Image<XYZ> scene(256, 2);
+    for (int code = 0; code < 256; ++code) {
+        const auto linear = static_cast<float>(decode(SrgbTransfer{}, code / 255.0));
+        scene(code, 0) = scene_xyz({linear, linear, linear}, 80.0);
+        scene(code, 1) = scene_xyz({1.0f, 1.0f, 1.0f}, 80.0);
+    }
+    const DevelopResult result = develop(scene, {.tone_mapper = MaxToWhite{}, .dither = NoDither{}}, 1);
+    for (int code = 0; code < 256; ++code) {
+        const auto byte = static_cast<std::uint8_t>(code);
+        EXPECT_EQ(result.image(code, 0), (CodeRGB{byte, byte, byte}));
+        EXPECT_EQ(result.image(code, 1), (CodeRGB{255, 255, 255}));
+    }
+}
+
+// A constant scene comes out of the default pipeline at the key: key/(1 + key), encoded.
+TEST(Develop, DefaultPipelineShowsAConstantAtTheKey) {
+    Image<XYZ> scene(64, 64);
+    for (XYZ& pixel : scene.pixels()) pixel = scene_xyz({1.0f, 1.0f, 1.0f}, 3000.0);
+    const DevelopResult result = develop(scene, {}, 0);
+    double sum = 0.0;
+    for (const CodeRGB& pixel : result.image.pixels()) sum += pixel.g;
+    EXPECT_NEAR(sum / (64.0 * 64.0), 255.0 * encode(SrgbTransfer{}, 0.18 / 1.18), 1e-3);
+    EXPECT_NEAR(result.report.luminance.log_average_cdm2, 3000.0, 1e-3);
+}
+
+TEST(Develop, PrimariesComeOutPure) {
+    Image<XYZ> scene(4, 1);
+    scene(0, 0) = scene_xyz({1.0f, 0.0f, 0.0f}, 10.0);
+    scene(1, 0) = scene_xyz({0.0f, 1.0f, 0.0f}, 10.0);
+    scene(2, 0) = scene_xyz({0.0f, 0.0f, 1.0f}, 10.0);
+    scene(3, 0) = scene_xyz({1.0f, 1.0f, 1.0f}, 10.0);
+    const DevelopResult result = develop(scene, {.tone_mapper = MaxToWhite{}, .dither = NoDither{}}, 1);
+    EXPECT_EQ(result.image(0, 0), (CodeRGB{255, 0, 0}));
+    EXPECT_EQ(result.image(1, 0), (CodeRGB{0, 255, 0}));
+    EXPECT_EQ(result.image(2, 0), (CodeRGB{0, 0, 255}));
+    EXPECT_EQ(result.image(3, 0), (CodeRGB{255, 255, 255}));
+    EXPECT_EQ(result.report.gamut.outside, 0);
+}
+
+TEST(Develop, ReportsColoursThatTheDisplayCannotShow) {
+    Image<XYZ> scene(3, 1);
+    scene(0, 0) = scene_xyz({1.0f, -0.25f, 0.5f}, 10.0);
+    scene(1, 0) = scene_xyz({0.5f, 0.5f, 0.5f}, 10.0);
+    scene(2, 0) = scene_xyz({1.0f, 1.0f, 1.0f}, 10.0);
+    const DevelopResult result = develop(scene, {.tone_mapper = MaxToWhite{}, .dither = NoDither{}}, 1);
+    EXPECT_EQ(result.report.gamut.outside, 1);
+    EXPECT_NEAR(result.report.gamut.largest_excess, 0.25f, 1e-6f);
+    EXPECT_EQ(result.image(0, 0), (CodeRGB{255, 0, 188}));
+}
+
+// Bad pixels, through every operator: NaN and negative ones black, infinite ones white, all reported, others as before.
+TEST(Develop, BadPixelsAreDefinedAndReported) {
+    for_each_alternative<ToneMapper>([](const auto& tone_mapper) {
+        const Pipeline pipeline{.tone_mapper = tone_mapper, .dither = NoDither{}};
+        const Image<XYZ> clean = random_scene(64, 64, 80);
+        Image<XYZ> scene = clean;
+        scene(10, 20) = {kNan, kNan, kNan};
+        scene(11, 20) = {1.0f, -1.0f, 1.0f};
+        scene(12, 20) = {kInf, kInf, kInf};
+        const DevelopResult before = develop(clean, pipeline, 1);
+        const DevelopResult after = develop(scene, pipeline, 1);
+        EXPECT_EQ(after.image(10, 20), (CodeRGB{0, 0, 0}));
+        EXPECT_EQ(after.image(11, 20), (CodeRGB{0, 0, 0}));
+        EXPECT_EQ(after.image(12, 20), (CodeRGB{255, 255, 255}));
+        EXPECT_EQ(after.report.luminance.counts.bad(), 3);
+        EXPECT_EQ(after.report.luminance.first_bad_px, std::make_pair(10, 20));
+        EXPECT_EQ(after.report.gamut.nan, 0);
+        for (std::size_t i = 0; i < clean.pixels().size(); ++i) {
+            if (i >= 20 * 64 + 10 && i <= 20 * 64 + 12) continue;
+            ASSERT_LE(std::abs(after.image.pixels()[i].g - before.image.pixels()[i].g), 2) << i;
+        }
+    });
+}
+
+TEST(Develop, PictureDoesNotDependOnTheUnit) {
+    for_each_alternative<ToneMapper>([](const auto& tone_mapper) {
+        const Pipeline pipeline{.tone_mapper = tone_mapper, .dither = NoDither{}};
+        const Image<XYZ> scene = random_scene(64, 64, 81);
+        Image<XYZ> other = scene;
+        for (XYZ& pixel : other.pixels()) pixel = 0x1p-40f * pixel;  // about 1e-12, exact
+        EXPECT_EQ(develop(other, pipeline, 1).image, develop(scene, pipeline, 1).image);
+    });
+}
+
+TEST(Develop, SameResultForEveryNumberOfThreads) {
+    for_each_alternative<ToneMapper>([](const auto& tone_mapper) {
+        for_each_alternative<Dither>([&](const auto& dither) {
+            const Pipeline pipeline{.tone_mapper = tone_mapper, .dither = dither};
+            const Image<XYZ> scene = random_scene(509, 251, 82);
+            const DevelopResult one = develop(scene, pipeline, 1);
+            for (const int threads : {2, 3, 8, 0}) {
+                const DevelopResult other = develop(scene, pipeline, threads);
+                EXPECT_EQ(other.image, one.image) << threads;
+                EXPECT_EQ(other.report, one.report) << threads;
+            }
+        });
+    });
+}
+
+TEST(Develop, AnySizeAndAllBlack) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 4099}, {4099, 1}}) {
+        const DevelopResult black = develop(Image<XYZ>(width, height), {}, 0);
+        EXPECT_TRUE(std::all_of(black.image.pixels().begin(), black.image.pixels().end(),
+                                [](const CodeRGB& pixel) { return pixel == CodeRGB{}; }));
+        EXPECT_EQ(develop(random_scene(width, height, 83), {}, 0).report.luminance.counts.bad(), 0);
+    }
+}
+
+TEST(Develop, RejectsWhatItCannotDo) {
+    EXPECT_THROW((void)develop(Image<XYZ>(), {}, 1), std::invalid_argument);
+    EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.tone_mapper = ReinhardGlobal{0.0f}}, 1), std::invalid_argument);
+    EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.bits = 9}, 1), std::invalid_argument);
+    EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {}, -1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace emulsion

@@ -1,0 +1,138 @@
+#include "develop/pipeline.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "core/random.h"
+
+namespace emulsion {
+namespace {
+
+using testing::HasSubstr;
+
+/// A value in the range of a parameter, drawn by rejection from all bit patterns.
+void draw(const ParameterRange& range, Pcg32& random, float& value) {
+    do value = std::bit_cast<float>(random.next());
+    while (!range.contains(value));
+}
+void draw(const ParameterRange& range, Pcg32& random, int& value) {
+    do value = std::bit_cast<int>(random.next());
+    while (!range.contains(value));
+}
+
+/// Gives every parameter a random value in its range.
+template <NamedVariant Variant>
+void randomise(Variant& variant, Pcg32& random) {
+    std::visit(
+        [&]<class T>(T& value) {
+            for (const Parameter<T>& parameter : parameters_of<T>()) {
+                std::visit([&](auto member) { draw(parameter.range, random, value.*member); }, parameter.member);
+            }
+        },
+        variant);
+}
+
+/// Calls visitor(pipeline) for every combination of alternatives.
+template <class Visitor>
+void for_each_pipeline(const Visitor& visitor) {
+    Pipeline pipeline;
+    for_each_alternative<ToneMapper>([&](const auto& tone_mapper) {
+        pipeline.tone_mapper = tone_mapper;
+        for_each_alternative<Display>([&](const auto& display) {
+            pipeline.display = display;
+            for_each_alternative<GamutMapper>([&](const auto& gamut) {
+                pipeline.gamut = gamut;
+                for_each_alternative<TransferFunction>([&](const auto& transfer) {
+                    pipeline.transfer = transfer;
+                    for_each_alternative<Dither>([&](const auto& dither) {
+                        pipeline.dither = dither;
+                        visitor(pipeline);
+                    });
+                });
+            });
+        });
+    });
+}
+
+std::string message_of(std::string_view text) {
+    try {
+        return "no error: " + to_text(parse_pipeline(text));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+TEST(Pipeline, TextOfTheDefault) {
+    EXPECT_EQ(to_text(Pipeline{}),
+              "tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb bits=8 "
+              "dither=floyd-steinberg");
+}
+
+TEST(Pipeline, EveryCombinationReadsBackAsTheSameValue) {
+    int combinations = 0;
+    for_each_pipeline([&](const Pipeline& pipeline) {
+        EXPECT_EQ(parse_pipeline(to_text(pipeline)), pipeline) << to_text(pipeline);
+        ++combinations;
+    });
+    EXPECT_GE(combinations, 4);
+}
+
+TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
+    Pcg32 random(70);
+    for (int round = 0; round < 1000; ++round) {
+        for_each_pipeline([&](Pipeline pipeline) {
+            randomise(pipeline.tone_mapper, random);
+            randomise(pipeline.display, random);
+            randomise(pipeline.gamut, random);
+            randomise(pipeline.transfer, random);
+            randomise(pipeline.dither, random);
+            EXPECT_NO_THROW(validate(pipeline));
+            ASSERT_EQ(parse_pipeline(to_text(pipeline)), pipeline) << to_text(pipeline);
+        });
+    }
+}
+
+TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
+    EXPECT_EQ(parse_pipeline(""), Pipeline{});
+    EXPECT_EQ(parse_pipeline("  \n"), Pipeline{});
+    Pipeline expected;
+    expected.dither = NoDither{};
+    expected.tone_mapper = ReinhardGlobal{0.5f};
+    EXPECT_EQ(parse_pipeline(" dither=none\ttonemap=reinhard-global:key=0.5 \n"), expected);
+}
+
+TEST(Pipeline, WrongTextsNameWhatIsRight) {
+    EXPECT_EQ(message_of("tonemapper=max-to-white"),
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, display, gamut or bits");
+    EXPECT_EQ(message_of("tonemap=max"), "tonemap \"max\": unknown; expected max-to-white or reinhard-global");
+    EXPECT_EQ(message_of("tonemap=reinhard-global:key=0"), "tonemap reinhard-global: key = 0: must be in (0, inf)");
+    EXPECT_EQ(message_of("bits=10"), "bits = 10: must be in [8, 8]");
+    EXPECT_EQ(message_of("bits=x"), "bits = \"x\": not a whole number");
+    EXPECT_EQ(message_of("dither"), "pipeline: found \"dither\", expected stage=value");
+    EXPECT_EQ(message_of("bits=8 bits=8"), "pipeline: bits given twice");
+    EXPECT_THAT(message_of("dither="), HasSubstr("expected none or floyd-steinberg"));
+    EXPECT_THAT(message_of("=8"), HasSubstr("pipeline stage \"\": unknown"));
+}
+
+TEST(Pipeline, ValidateNamesTheStage) {
+    Pipeline pipeline;
+    pipeline.bits = 16;
+    EXPECT_THAT([&] { validate(pipeline); },
+                testing::ThrowsMessage<std::invalid_argument>("bits = 16: must be in [8, 8]"));
+    pipeline = {};
+    pipeline.tone_mapper = ReinhardGlobal{-1.0f};
+    EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                 "tonemap reinhard-global: key = -1: must be in (0, inf)"));
+}
+
+}  // namespace
+}  // namespace emulsion
