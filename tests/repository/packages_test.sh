@@ -13,7 +13,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 # --- What the build uses: headers, shared libraries, programs
 ninja -C "$build" -t deps | sed -n 's|^ *\(/usr/.*\)$|\1|p' | sort -u >"$scratch/headers"
-find "$build/bin" -maxdepth 1 -type f -executable -exec ldd {} + 
+find "$build/bin" -maxdepth 1 -type f -executable -exec ldd {} + |
     sed -nE 's/.*=> (\/[^ ]*) .*/\1/p' | sort -u >"$scratch/libraries"
 for program in cmake ninja c++ clang-format clang-tidy; do command -v "$program"; done >"$scratch/programs"
 for kind in headers libraries programs; do
