@@ -2,7 +2,7 @@
 // Smooth spectra for linear RGB colours. A reflectance "has" an RGB colour if, under the space's illuminant and for the
 // CIE 1931 observer, it looks so, with the perfect reflector at (1, 1, 1).
 // Source: Jakob & Hanika, "A Low-Dimensional Function Space for Efficient Spectral Upsampling", EG 2019. They tabulate
-// the coefficients; here every colour is solved for directly, in about a tenth of a millisecond.
+// the coefficients; here every colour is solved for directly, in some fifty microseconds.
 
 #include "core/color.h"
 #include "core/matrix3.h"

@@ -43,13 +43,13 @@ double value_of(const RgbIlluminantSpectrum& spectrum, double lambda_nm) noexcep
 
 // std::visit, but noexcept: that one throws for a variant without a value, which an assignment that ran out of memory
 // leaves; here such a spectrum has the value NaN.
-template <std::size_t kIndex = 0>
+template <std::size_t Index = 0>
 double value_of_alternative(const Spectrum& spectrum, double lambda_nm) noexcept {
-    if constexpr (kIndex == std::variant_size_v<Spectrum>) {
+    if constexpr (Index == std::variant_size_v<Spectrum>) {
         return std::numeric_limits<double>::quiet_NaN();
     } else {
-        if (const auto* alternative = std::get_if<kIndex>(&spectrum)) return value_of(*alternative, lambda_nm);
-        return value_of_alternative<kIndex + 1>(spectrum, lambda_nm);
+        if (const auto* alternative = std::get_if<Index>(&spectrum)) return value_of(*alternative, lambda_nm);
+        return value_of_alternative<Index + 1>(spectrum, lambda_nm);
     }
 }
 
