@@ -46,7 +46,7 @@ void DroppedSamples::merge(const DroppedSamples& other) noexcept {
     for (std::size_t kind = 0; kind < counts_.size(); ++kind) counts_[kind] += other.counts_[kind];
 
     std::array<DroppedSample, 2 * kReported> both{};
-    auto end = std::copy_n(first_.begin(), first_count_, both.begin());
+    auto* end = std::copy_n(first_.begin(), first_count_, both.begin());
     end = std::copy_n(other.first_.begin(), other.first_count_, end);
     std::sort(both.begin(), end, [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
     first_count_ = std::min(kReported, first_count_ + other.first_count_);

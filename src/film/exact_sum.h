@@ -45,7 +45,7 @@ class ExactSum {
     bool operator==(const ExactSum&) const = default;
 
   private:
-    __extension__ typedef __int128 Int128;
+    __extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): __extension__ takes no alias
     static constexpr double kUnitsPerOne = 0x1p64;
     static constexpr Int128 kHighest = ~(static_cast<Int128>(1) << 127);
     static constexpr Int128 kLowest = -kHighest;

@@ -138,7 +138,10 @@ void check_sizes(const HeaderReader& file, const HeaderFacts& facts) {
     const std::string size = std::to_string(facts.width) + "x" + std::to_string(facts.height);
     if (facts.width < 1 || facts.height < 1) file.fail("is not a valid EXR: its data window is " + size + " pixels");
 
-    // Products of numbers below 2^32 and 2^32 are below 2^64; the third factor goes to the other side.
+    // OpenEXR's own limit for coordinates is 2^30; the product then fits, and the third factor goes to the other side.
+    constexpr std::int64_t kMost = std::int64_t{1} << 31u;
+    if (facts.width > kMost || facts.height > kMost)
+        file.fail("is not a valid EXR: its data window is " + size + " pixels");
     const std::uint64_t pixels = static_cast<std::uint64_t>(facts.width) * static_cast<std::uint64_t>(facts.height);
     const std::uint64_t bytes = largest_expansion(file.file_size(), facts.compression);
     if (pixels > bytes / static_cast<std::uint64_t>(std::max<std::int64_t>(facts.bytes_per_pixel, 1))) {

@@ -50,7 +50,7 @@ class CheckedOStream : public Imf::OStream {
     CheckedOStream(const CheckedOStream&) = delete;
     CheckedOStream& operator=(const CheckedOStream&) = delete;
 
-    void write(const char bytes[], int count) override {
+    void write(const char* bytes, int count) override {
         const auto size = static_cast<std::size_t>(count);
         if (buffer_.size() + size > kBufferBytes) flush();
         if (size >= kBufferBytes) {

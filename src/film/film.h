@@ -36,6 +36,7 @@ class Film {
   public:
     /// \throws std::invalid_argument as validate() does.
     explicit Film(const FilmOptions& options);
+    ~Film() = default;
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
 

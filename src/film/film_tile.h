@@ -42,7 +42,7 @@ class FilmTile {
     /// negative luminance is counted in dropped() and adds neither value nor weight.
     void add(int x, int y, XYZ value, float weight) noexcept {
         const std::size_t i = index(x, y);
-        const double w = static_cast<double>(weight);
+        const auto w = static_cast<double>(weight);
         const double wx = w * static_cast<double>(value.x), wy = w * static_cast<double>(value.y),
                      wz = w * static_cast<double>(value.z);
         // Products of floats cannot overflow a double: the sum is finite if, and only if, all four numbers are.

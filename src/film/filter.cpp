@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -29,12 +30,12 @@ double eval_inside(const TriangleFilter&, double offset_px, double radius_px) no
 }
 
 double eval_inside(const GaussianFilter& filter, double offset_px, double radius_px) noexcept {
-    const double sigma_px = static_cast<double>(filter.sigma_px);
+    const auto sigma_px = static_cast<double>(filter.sigma_px);
     return std::max(0.0, gaussian(offset_px, sigma_px) - gaussian(radius_px, sigma_px));
 }
 
 double eval_inside(const MitchellFilter& filter, double offset_px, double radius_px) noexcept {
-    const double b = static_cast<double>(filter.b), c = static_cast<double>(filter.c);
+    const auto b = static_cast<double>(filter.b), c = static_cast<double>(filter.c);
     const double x = std::abs(2.0 * offset_px / radius_px);
     if (x <= 1.0) {
         return ((12.0 - 9.0 * b - 6.0 * c) * x * x * x + (-18.0 + 12.0 * b + 6.0 * c) * x * x + (6.0 - 2.0 * b)) / 6.0;
@@ -46,6 +47,15 @@ double eval_inside(const MitchellFilter& filter, double offset_px, double radius
 
 double eval_inside(const LanczosSincFilter& filter, double offset_px, double) noexcept {
     return sinc(offset_px) * sinc(offset_px / static_cast<double>(filter.tau));
+}
+
+/// std::visit, but noexcept: that one may throw for a variant without a value, which these plain structs don't allow.
+template <std::size_t kFirst = 0, class F>
+double visit_filter(const Filter& filter, const F& f) noexcept {
+    if constexpr (kFirst + 1 < std::variant_size_v<Filter>) {
+        if (filter.index() != kFirst) return visit_filter<kFirst + 1>(filter, f);
+    }
+    return f(*std::get_if<kFirst>(&filter));
 }
 
 void require(bool ok, std::string_view filter, std::string_view field, double value, std::string_view expected) {
@@ -76,15 +86,15 @@ void validate_shape(const LanczosSincFilter& filter) { require_positive(LanczosS
 }  // namespace
 
 double radius_px(const Filter& filter, FilterAxis axis) noexcept {
-    return std::visit(
-        [axis](const auto& f) { return static_cast<double>(axis == FilterAxis::x ? f.x_radius_px : f.y_radius_px); },
-        filter);
+    return visit_filter(filter, [axis](const auto& f) {
+        return static_cast<double>(axis == FilterAxis::x ? f.x_radius_px : f.y_radius_px);
+    });
 }
 
 double eval(const Filter& filter, FilterAxis axis, double offset_px) noexcept {
     const double radius = radius_px(filter, axis);
     if (!(std::abs(offset_px) < radius)) return 0.0;
-    return std::visit([=](const auto& f) { return eval_inside(f, offset_px, radius); }, filter);
+    return visit_filter(filter, [=](const auto& f) { return eval_inside(f, offset_px, radius); });
 }
 
 void validate(const Filter& filter) {

@@ -10,6 +10,9 @@ namespace emulsion {
 
 namespace {
 
+// Of the mean weight, 1.
+constexpr double kCubicTolerance = 2e-6;
+
 /// Ends of `cells` parts of the half-axis that hold the same integral of |f| each.
 std::vector<double> edges_of_equal_mass(const Filter& filter, FilterAxis axis, int cells) {
     // The integral of |f| on [0, i step], by midpoints.
@@ -66,16 +69,15 @@ FilterSampler::AxisTable FilterSampler::make_table(const Filter& filter, FilterA
     AxisTable table;
     table.edge_px = edges_of_equal_mass(filter, axis, kCells);
 
-    // f times the cell's width is the weight, up to a constant: every cell has the same probability.
-    std::vector<std::array<double, 4>> cubics;
     double half_integral = 0.0, half_mass = 0.0;
     for (std::size_t i = 0; i < kCells; ++i) {
-        const double start = table.edge_px[i], width = table.edge_px[i + 1] - start;
-        const auto cubic = cubic_through([&](double t) { return width * eval(filter, axis, start + t * width); });
-        const double integral = cubic[0] + cubic[1] / 2.0 + cubic[2] / 3.0 + cubic[3] / 4.0;
-        half_integral += integral;
-        half_mass += std::abs(integral);
-        cubics.push_back(cubic);
+        constexpr int kPoints = 128;
+        const double start = table.edge_px[i], step = (table.edge_px[i + 1] - start) / kPoints;
+        for (int k = 0; k < kPoints; ++k) {
+            const double f = eval(filter, axis, start + (k + 0.5) * step);
+            half_integral += step * f;
+            half_mass += step * std::abs(f);
+        }
     }
     table.integral_px = 2.0 * half_integral;
     if (!(half_integral > 1e-6 * half_mass)) {
@@ -84,31 +86,64 @@ FilterSampler::AxisTable FilterSampler::make_table(const Filter& filter, FilterA
     }
 
     for (std::size_t i = 0; i < kCells; ++i) {
-        const auto weight = [&](std::size_t k) { return static_cast<float>(cubics[i][k] * kCells / half_integral); };
         const double start = table.edge_px[i], width = table.edge_px[i + 1] - start;
-        table.cells.push_back(
-            {static_cast<float>(start), static_cast<float>(width), weight(0), weight(1), weight(2), weight(3)});
+        // The density is 1 / (2 kCells width).
+        const auto weight = [&](double t) {
+            return eval(filter, axis, start + t * width) * kCells * width / half_integral;
+        };
+        const auto w = cubic_through(weight);
+        double worst = 0.0;
+        for (double t = 0.0; t <= 1.0; t += 1.0 / 16.0) {
+            worst = std::max(worst, std::abs(w[0] + t * (w[1] + t * (w[2] + t * w[3])) - weight(t)));
+        }
+        table.cells.push_back({static_cast<float>(start), static_cast<float>(width), static_cast<float>(w[0]),
+                               static_cast<float>(w[1]), static_cast<float>(w[2]), static_cast<float>(w[3]),
+                               worst < kCubicTolerance});
     }
     return table;
 }
 
-FilterSampler::AxisSample FilterSampler::sample_axis(const AxisTable& table, float u) noexcept {
+FilterSampler::AxisSample FilterSampler::sample_axis(FilterAxis axis, float u) const noexcept {
     // All exact for the u of random.h, multiples of 2^-24.
     const float centred = 2.0f * u - 1.0f;
     const float scaled = std::abs(centred) * static_cast<float>(kCells);
     const int index = std::clamp(static_cast<int>(scaled), 0, kCells - 1);
     const float t = scaled - static_cast<float>(index);
 
-    const Cell& cell = table.cells[static_cast<std::size_t>(index)];
+    const Cell& cell = table(axis).cells[static_cast<std::size_t>(index)];
+    if (!cell.is_cubic) {
+        const AxisReference exact = sample_axis_reference(axis, static_cast<double>(u));
+        return {static_cast<float>(exact.offset_px), static_cast<float>(exact.weight)};
+    }
     const float offset = std::copysign(cell.start_px + t * cell.width_px, centred);
     return {offset, cell.w0 + t * (cell.w1 + t * (cell.w2 + t * cell.w3))};
+}
+
+FilterSampler::AxisReference FilterSampler::sample_axis_reference(FilterAxis axis, double u) const noexcept {
+    const AxisTable& cells = table(axis);
+    const double centred = 2.0 * u - 1.0, scaled = std::abs(centred) * kCells;
+    const int index = std::clamp(static_cast<int>(scaled), 0, kCells - 1);
+    const double start = cells.edge_px[static_cast<std::size_t>(index)];
+    const double width = cells.edge_px[static_cast<std::size_t>(index) + 1] - start;
+    const double offset = std::copysign(start + (scaled - index) * width, centred);
+    // The density is 1 / (2 kCells width).
+    return {offset, eval(filter_, axis, offset) * 2.0 * kCells * width / cells.integral_px};
 }
 
 FilterSample FilterSampler::sample(float u, float v) const noexcept {
     if (const auto* box = std::get_if<BoxFilter>(&filter_)) {
         return {(2.0f * u - 1.0f) * box->x_radius_px, (2.0f * v - 1.0f) * box->y_radius_px, 1.0f};
     }
-    const AxisSample x = sample_axis(x_, u), y = sample_axis(y_, v);
+    const AxisSample x = sample_axis(FilterAxis::x, u), y = sample_axis(FilterAxis::y, v);
+    return {x.offset_px, y.offset_px, x.weight * y.weight};
+}
+
+FilterSampler::Reference FilterSampler::sample_reference(double u, double v) const noexcept {
+    if (const auto* box = std::get_if<BoxFilter>(&filter_)) {
+        return {(2.0 * u - 1.0) * static_cast<double>(box->x_radius_px),
+                (2.0 * v - 1.0) * static_cast<double>(box->y_radius_px), 1.0};
+    }
+    const AxisReference x = sample_axis_reference(FilterAxis::x, u), y = sample_axis_reference(FilterAxis::y, v);
     return {x.offset_px, y.offset_px, x.weight * y.weight};
 }
 
@@ -116,19 +151,9 @@ double FilterSampler::pdf(FilterAxis axis, double offset_px) const noexcept {
     const double radius = radius_px(filter_, axis), distance = std::abs(offset_px);
     if (!(distance < radius)) return 0.0;
     if (std::holds_alternative<BoxFilter>(filter_)) return 0.5 / radius;
-    const auto& edges = (axis == FilterAxis::x ? x_ : y_).edge_px;
+    const auto& edges = table(axis).edge_px;
     const auto end = std::upper_bound(edges.begin() + 1, edges.end() - 1, distance);
     return 0.5 / (kCells * (*end - *(end - 1)));
-}
-
-double FilterSampler::weight_along(FilterAxis axis, double offset_px) const noexcept {
-    const double density = pdf(axis, offset_px);
-    if (density == 0.0) return 0.0;
-    return eval(filter_, axis, offset_px) / (density * (axis == FilterAxis::x ? x_ : y_).integral_px);
-}
-
-double FilterSampler::weight_reference(double x_offset_px, double y_offset_px) const noexcept {
-    return weight_along(FilterAxis::x, x_offset_px) * weight_along(FilterAxis::y, y_offset_px);
 }
 
 }  // namespace emulsion

@@ -22,8 +22,8 @@ class Sensor {
     explicit Sensor(double imaging_ratio = 1.0);
 
     /// 683 imaging_ratio / N * sum_i radiance_i / pdf_i * xyzbar(lambda_i): an unbiased estimate of XYZ if the
-    /// wavelengths were drawn with those densities. Single precision: agrees with to_xyz_reference() to 4e-6 of the sum
-    /// of the terms' absolute values.
+    /// wavelengths were drawn with those densities. Single precision: agrees with to_xyz_reference() to 4e-6 of X + Y +
+    /// Z, for radiances of one sign.
     template <int N>
     [[nodiscard]] XYZ to_xyz(const SampledWavelengths<N>& wavelengths,
                              const SampledSpectrum<N>& radiance) const noexcept {
