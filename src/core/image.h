@@ -25,11 +25,9 @@ class ImageView {
     ImageView(T* data, int width, int height) noexcept : data_(data), width_(width), height_(height) {}
 
     /// Pixels that may be changed may also be only looked at.
-    template <class Mutable>
-    requires std::is_same_v<const Mutable, T>
-    // NOLINTNEXTLINE(google-explicit-constructor): adding const loses nothing
-    ImageView(const ImageView<Mutable>& other)
-    noexcept : data_(other.pixels().data()), width_(other.width()), height_(other.height()) {}
+    template <class Mutable, std::enable_if_t<std::is_same_v<const Mutable, T>, int> = 0>
+    ImageView(const ImageView<Mutable>& other) noexcept  // NOLINT(google-explicit-constructor)
+        : data_(other.pixels().data()), width_(other.width()), height_(other.height()) {}
 
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
