@@ -61,13 +61,19 @@ std::pair<int, int> parse_resolution(const std::string& text) {
     return size;
 }
 
-/// What comes after the options have been put over the scene's own settings.
-struct Job {
-    Scene scene;
-    RenderOptions render;
-    std::filesystem::path exr, png;
-    ExrOptions exr_options;
-};
+/// Empty if the text is one of 0, 1, ..., 2^64 - 1, else what is wrong with it.
+std::string is_whole_number(const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size()) return {};
+    return "found \"" + text + "\", expected a whole number from 0 to 18446744073709551615";
+}
+
+/// Empty if the name is right, else what is wrong with it.
+std::string ends_in_exr(const std::string& name) {
+    if (std::filesystem::path(name).extension() == ".exr") return {};
+    return "found \"" + name + "\", expected a name ending in .exr (--png writes a PNG)";
+}
 
 double elapsed_s(std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
@@ -105,10 +111,12 @@ RenderCommand::RenderCommand(CLI::App& program)
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
     command_->add_option("scene", options.scene, "Scene file in pbrt-v4 syntax")->required()->type_name("SCENE");
-    command_
-        ->add_option("-o,--output", options.exr,
-                     "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
-        ->type_name("FILE");
+    CLI::Option* exr_option =
+        command_
+            ->add_option("-o,--output", options.exr,
+                         "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
+            ->type_name("FILE");
+    exr_option->check(ends_in_exr);
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
         ->type_name("FILE");
     command_->add_option("--spp", options.samples_per_pixel, "Samples per pixel, 1 to 16777216 [default: the scene's]")
@@ -119,7 +127,8 @@ RenderCommand::RenderCommand(CLI::App& program)
             "--resolution", [&options](const std::string& text) { options.resolution_px = parse_resolution(text); },
             "Size of the picture in pixels [default: the scene's]")
         ->type_name("WxH");
-    command_->add_option("--seed", options.seed, "Seed of the random numbers [default: the scene's, or 0]")
+    command_->add_option("--seed", options.seed, "Seed of the random numbers, >= 0 [default: the scene's, or 0]")
+        ->check(is_whole_number)
         ->type_name("N");
     command_->add_option("--wavelengths", options.wavelengths, "Wavelengths per path: 1, 2, 4, 8, 16 or 32")
         ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}))
@@ -133,6 +142,11 @@ RenderCommand::RenderCommand(CLI::App& program)
     command_->add_flag("--half", options.half, "Write 16-bit floats into the EXR instead of 32-bit ones");
     command_->add_flag("--quiet", options.quiet, "No progress and no summary; warnings and errors only");
     add_pipeline_options(*command_, options.pipeline);
+    command_->final_callback([&options] {
+        if (!options.png.empty() && options.png == options.exr) {
+            throw CLI::ValidationError("--png", "found the same file as for --output, expected another");
+        }
+    });
 }
 
 RenderCommand::~RenderCommand() = default;

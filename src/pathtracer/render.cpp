@@ -94,7 +94,7 @@ void render_with(const PreparedScene& scene, const RenderOptions& options, Film&
     const TileRenderer<N> renderer(scene, options, film);
     const int width = film.options().width_px, height = film.options().height_px;
     const int columns = (width + kTileSize_px - 1) / kTileSize_px, rows = (height + kTileSize_px - 1) / kTileSize_px;
-    for (int begin = 0; begin < options.samples_per_pixel; begin += kSamplesPerRound) {
+    for (int begin = 0; begin < options.samples_per_pixel && !progress.stop; begin += kSamplesPerRound) {
         const int end = std::min(begin + kSamplesPerRound, options.samples_per_pixel);
         parallel_for(0, columns * rows, options.threads, [&](int i) {
             if (progress.stop.load(std::memory_order_relaxed)) return;

@@ -1,0 +1,145 @@
+// `emulsion render` and `emulsion develop` as a user meets them: the files, the words, the exit codes.
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "film/exr_file.h"
+#include "run_program.h"
+#include "scenes.h"
+
+namespace emulsion::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class RenderProgram : public ::testing::Test {
+  protected:
+    RenderProgram() { write_text(scene_, kSmallScene); }
+
+    ProgramResult render(std::vector<std::string> more) const {
+        more.insert(more.begin(), {"render", scene_});
+        return run_program(more);
+    }
+
+    TemporaryFolder folder_;
+    const std::string scene_ = folder_.file("small.pbrt"), exr_ = folder_.file("a.exr"), png_ = folder_.file("a.png");
+};
+
+TEST_F(RenderProgram, WritesBothFilesAndSaysWhere) {
+    const ProgramResult result = render({"-o", exr_, "--png", png_});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("wrote " + exr_ + "\nwrote " + png_ + "\n"));
+    EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "a.png", "small.pbrt"));
+    const FilmImage image = read_exr(exr_);
+    EXPECT_EQ(image.xyz.width(), 48);
+    EXPECT_EQ(image.xyz.height(), 32);
+    EXPECT_THAT(image.notes, IsEmpty());
+    EXPECT_THAT(read_text(png_), StartsWith("\x89PNG"));
+}
+
+TEST_F(RenderProgram, HeaderSaysWhatMadeThePicture) {
+    ASSERT_EQ(render({"-o", exr_, "--seed", "77", "--spp", "3", "--resolution", "20x10"}).exit_code, 0);
+    const FilmImage image = read_exr(exr_);
+    EXPECT_EQ(image.xyz.width(), 20);
+    EXPECT_EQ(image.xyz.height(), 10);
+    EXPECT_EQ(image.metadata.samples_per_pixel, 3);
+    EXPECT_EQ(image.metadata.sample_count, 600u);
+    EXPECT_EQ(image.metadata.seed, 77u);
+    EXPECT_THAT(image.metadata.renderer_version, StartsWith("emulsion "));
+    EXPECT_EQ(image.metadata.command_line, std::string(EMULSION_PROGRAM) + " render " + scene_ + " -o " + exr_ +
+                                               " --seed 77 --spp 3 --resolution 20x10");
+}
+
+TEST_F(RenderProgram, EveryNumberOfThreadsGivesTheSameBits) {
+    for (const std::string& scene : {scene_, kCornellBox}) {
+        const std::vector<std::string> common{"render", scene, "--quiet", "--resolution", "60x50", "--spp", "20"};
+        std::vector<Image<XYZ>> pictures;
+        for (const char* threads : {"1", "2", "3", "8"}) {
+            auto arguments = common;
+            arguments.insert(arguments.end(), {"-o", exr_, "--threads", threads});
+            ASSERT_EQ(run_program(arguments).exit_code, 0);
+            pictures.push_back(read_exr(exr_).xyz);
+        }
+        for (const Image<XYZ>& picture : pictures) EXPECT_TRUE(picture == pictures[0]) << scene;
+
+        auto other_seed = common;
+        other_seed.insert(other_seed.end(), {"-o", exr_, "--seed", "1"});
+        ASSERT_EQ(run_program(other_seed).exit_code, 0);
+        EXPECT_FALSE(read_exr(exr_).xyz == pictures[0]) << scene;
+    }
+}
+
+TEST_F(RenderProgram, DevelopGivesTheSameBytesAsRenderDid) {
+    const std::string again = folder_.file("again.png");
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {}, {"--rgb"}, {"--half"}, {"--rgb", "--half"}, {"--tonemap", "max-to-white"}}) {
+        std::vector<std::string> arguments{"-o", exr_, "--png", png_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        ASSERT_EQ(render(arguments).exit_code, 0);
+        std::vector<std::string> develop{"develop", exr_, "-o", again};
+        if (more.size() == 2 && more[0] == "--tonemap") develop.insert(develop.end(), more.begin(), more.end());
+        const ProgramResult result = run_program(develop);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_TRUE(read_text(again) == read_text(png_)) << ::testing::PrintToString(more);
+    }
+}
+
+TEST_F(RenderProgram, ToneMappersDiffer) {
+    const std::string other = folder_.file("other.png");
+    ASSERT_EQ(render({"-o", exr_, "--png", png_}).exit_code, 0);
+    ASSERT_EQ(run_program({"develop", exr_, "-o", other, "--tonemap", "reinhard-global:key=0.4"}).exit_code, 0);
+    EXPECT_FALSE(read_text(png_) == read_text(other));
+}
+
+TEST_F(RenderProgram, NamesTheExrAfterTheSceneIfNotTold) {
+    const auto in_folder = [this] { ASSERT_EQ(::chdir(folder_.path().c_str()), 0); };
+    ASSERT_EQ(run_program({"render", scene_, "--quiet"}, {.before = in_folder}).exit_code, 0);
+    EXPECT_THAT(folder_.names(), ElementsAre("small.exr", "small.pbrt"));
+}
+
+TEST_F(RenderProgram, QuietSaysNothing) {
+    const ProgramResult result = render({"-o", exr_, "--png", png_, "--quiet"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(RenderProgram, ShowsLinesWithoutTerminalAndABarWithOne) {
+    const ProgramResult lines = render({"-o", exr_});
+    EXPECT_THAT(lines.err, HasSubstr("100%"));
+    EXPECT_THAT(lines.err, Not(HasSubstr("\r")));
+    const ProgramResult bar = run_program_on_terminal({"render", scene_, "-o", exr_});
+    EXPECT_EQ(bar.exit_code, 0);
+    EXPECT_THAT(bar.err, HasSubstr("\r[##############################] 100%"));
+    EXPECT_THAT(bar.err, HasSubstr("Msamples/s"));
+}
+
+TEST_F(RenderProgram, InterruptedItWritesWhatThereIs) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const auto interrupt = [signal](pid_t child) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+            ::kill(child, signal);
+        };
+        const auto start = std::chrono::steady_clock::now();
+        const ProgramResult result = run_program({"render", scene_, "-o", exr_, "--png", png_, "--spp", "10000000"},
+                                                 {.while_running = interrupt});
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("emulsion: warning: stopped early"));
+        const FilmImage image = read_exr(exr_);
+        EXPECT_LT(image.metadata.samples_per_pixel, 10000000);
+        EXPECT_GT(image.metadata.sample_count, 0u);
+        EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "a.png", "small.pbrt"));
+    }
+}
+
+}  // namespace
+}  // namespace emulsion::testing
