@@ -10,7 +10,6 @@
 namespace emulsion {
 
 // --- Transformations
-// --------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -37,7 +36,6 @@ void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d&
 }
 
 // --- Options
-// ----------------------------------------------------------------------------------------------------------
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Camera");
@@ -78,7 +76,6 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
 }
 
 // --- World
-// ------------------------------------------------------------------------------------------------------------
 
 void SceneBuilder::attribute_begin(const SourcePlace& place) { saved_.push_back({state_, place}); }
 
@@ -170,7 +167,6 @@ void SceneBuilder::shape(const SourcePlace&, const ParameterList& list) {
 }
 
 // --- The end
-// ----------------------------------------------------------------------------------------------------------
 
 void SceneBuilder::check_named_materials() const {
     std::vector<std::string_view> made;
@@ -183,7 +179,7 @@ void SceneBuilder::check_named_materials() const {
     }
     if (missing == nullptr) return;
     throw SceneError(*missing->second.first_use, "unknown named material " + quote(missing->first),
-                     "one that MakeNamedMaterial makes " + nearest_hint(missing->first, made));
+                     "one that MakeNamedMaterial makes" + nearest_hint(missing->first, made));
 }
 
 void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {

@@ -1,6 +1,7 @@
 #include "pathtracer/scene_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -52,7 +53,7 @@ Light read_distant_light(const ParameterList& list, const Imath::M44d& ctm, Spec
     const Imath::V3d to_light = transform_vector(ctm, from - to);
     const double length = to_light.length();
     if (!(length > 0.0) || !std::isfinite(length)) {
-        throw SceneError(list.place, "a distant light whose \"from\" and \"to\" give no direction",
+        throw SceneError(list.place, R"(a distant light whose "from" and "to" give no direction)",
                          "two points apart from each other");
     }
     return DistantLight{to_light / length,
@@ -69,14 +70,14 @@ struct LightReader {
     std::string_view name;
     Light (*read)(const ParameterList&, const Imath::M44d&, SpectrumReader&);
 };
-constexpr LightReader kReaders[] = {
-    {"point", read_point_light}, {"distant", read_distant_light}, {"infinite", read_infinite_light}};
+constexpr auto kReaders = std::to_array<LightReader>(
+    {{"point", read_point_light}, {"distant", read_distant_light}, {"infinite", read_infinite_light}});
 
 }  // namespace
 
 Light read_light(const ParameterList& list, const Imath::M44d& world_from_object, SpectrumReader& spectra) {
     check_parameters(light_table(), list);
-    return supported_row<LightReader>(list.place, "light source", list.owner, kReaders)
+    return supported_row<LightReader>(list.place, {"light source"}, list.owner, kReaders)
         .read(list, world_from_object, spectra);
 }
 

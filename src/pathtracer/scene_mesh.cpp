@@ -22,7 +22,8 @@ Imath::V3d point_of(const std::vector<double>& numbers, std::size_t index) noexc
 /// \throws SceneError if a coordinate overflows.
 Imath::V3f single_precision(const Imath::V3d& v, const SceneParameter& parameter, std::size_t index) {
     constexpr double kLargest = std::numeric_limits<float>::max();
-    if (std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest && std::abs(v.z) <= kLargest) return Imath::V3f(v);
+    const bool fits = std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest && std::abs(v.z) <= kLargest;
+    if (fits) return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     throw SceneError(
         place_of_value(parameter, 3 * index),
         fmt::format("({:g}, {:g}, {:g}) in world space for parameter \"{}\"", v.x, v.y, v.z, parameter.name),
@@ -35,8 +36,8 @@ const SceneParameter* per_vertex(const ParameterList& list, std::string_view nam
     const SceneParameter* const parameter = find_parameter(list, name);
     if (parameter == nullptr || parameter->numbers.size() == components * vertices) return parameter;
     throw SceneError(parameter->place,
-                     fmt::format("{} values for parameter \"{}\"", parameter->numbers.size() / components, name),
-                     fmt::format("{}, as many as \"P\" has", vertices));
+                     fmt::format(R"(parameter "{}" of length {})", name, parameter->numbers.size() / components),
+                     fmt::format(R"(length {}, that of "P")", vertices));
 }
 
 /// Positions and normals in world space; no triangles yet.
@@ -114,8 +115,8 @@ std::optional<Geometry> finish_mesh(TriangleMesh mesh, const std::vector<Triangl
     }
     const std::size_t dropped = triangles.size() - mesh.triangle.size();
     if (dropped > 0) {
-        warnings.push_back(fmt::format("{}: {} of {} triangles have no area and are left out", to_text(list.place),
-                                       dropped, triangles.size()));
+        warnings.push_back(fmt::format("{}: triangles without area, left out: {} of {}", to_text(list.place), dropped,
+                                       triangles.size()));
     }
     if (mesh.triangle.empty()) return std::nullopt;
     return mesh;

@@ -19,10 +19,10 @@ char lower(char c) noexcept { return static_cast<char>(std::tolower(static_cast<
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const char letter : a) {
         std::size_t diagonal = row[0]++;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t change = lower(a[i]) == lower(b[j]) ? 0 : 1;
+            const std::size_t change = lower(letter) == lower(b[j]) ? 0 : 1;
             const std::size_t best = std::min({row[j] + 1, row[j + 1] + 1, diagonal + change});
             diagonal = row[j + 1];
             row[j + 1] = best;
@@ -43,12 +43,14 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
 }
 
 std::string nearest_hint(std::string_view name, std::span<const std::string_view> known) {
+    constexpr std::size_t kFew = 24;
     const std::string_view nearest = nearest_name(name, known);
-    if (!nearest.empty()) return fmt::format("(nearest known name: {})", quote(nearest));
-    return known.empty() ? std::string("(none is known)") : fmt::format("({})", fmt::join(known, ", "));
+    if (!nearest.empty()) return fmt::format(" (nearest known name: {})", quote(nearest));
+    if (known.size() > kFew) return "";
+    return known.empty() ? std::string(" (none is known)") : fmt::format(" ({})", fmt::join(known, ", "));
 }
 
-void throw_unsupported(const SourcePlace& place, std::string_view what, std::string_view name,
+void throw_unsupported(const SourcePlace& place, const NameRole& role, std::string_view name,
                        std::span<const KnownName> known) {
     std::vector<std::string_view> all, supported;
     bool known_to_pbrt = false;
@@ -57,12 +59,11 @@ void throw_unsupported(const SourcePlace& place, std::string_view what, std::str
         if (row.support == Support::here) supported.push_back(row.name);
         known_to_pbrt |= row.name == name;
     }
-    if (!known_to_pbrt) {
-        throw SceneError(place, fmt::format("unknown {} {}", what, quote(name)),
-                         "a known one " + nearest_hint(name, all));
-    }
+    const std::string named = fmt::format("{} {}{}", role.what, quote(name), role.of);
+    if (!known_to_pbrt) throw SceneError(place, "unknown " + named, "a known one" + nearest_hint(name, all));
+
     const std::string choice = supported.empty() ? "none" : fmt::format("{}", fmt::join(supported, ", "));
-    throw SceneError(place, fmt::format("{} {}", what, quote(name)),
+    throw SceneError(place, named,
                      "a supported one (known to pbrt-v4 and not yet supported here; supported: " + choice + ")");
 }
 

@@ -24,17 +24,23 @@ struct KnownName {
 /// The known name with the fewest letters to change; empty if there are none, or `name` is beyond any likeness.
 [[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
-/// "(nearest known name: "sphere")", or the list of names if none is near.
+/// " (nearest known name: "sphere")"; the list of names if none is near and they are few; else nothing.
 [[nodiscard]] std::string nearest_hint(std::string_view name, std::span<const std::string_view> known);
 
-/// \throws SceneError always: `what` (shape "disk") is unknown, or known to pbrt-v4 only.
-[[noreturn]] void throw_unsupported(const SourcePlace& place, std::string_view what, std::string_view name,
+/// What a name names, for messages: parameter "name" of shape "sphere".
+struct NameRole {
+    std::string_view what;     ///< "shape", "parameter"
+    std::string_view of = {};  ///< " of shape "sphere"", or nothing
+};
+
+/// \throws SceneError always: the name is unknown, or known to pbrt-v4 only.
+[[noreturn]] void throw_unsupported(const SourcePlace& place, const NameRole& role, std::string_view name,
                                     std::span<const KnownName> known);
 
 /// The row of a table whose `name` is as given and whose `support`, if rows have one, is here.
-/// \throws SceneError if there is none; `what` says what was looked for: "shape".
+/// \throws SceneError if there is none.
 template <class Row>
-[[nodiscard]] const Row& supported_row(const SourcePlace& place, std::string_view what, std::string_view name,
+[[nodiscard]] const Row& supported_row(const SourcePlace& place, const NameRole& role, std::string_view name,
                                        std::span<const Row> table) {
     const auto support_of = [](const Row& row) {
         if constexpr (requires { row.support; }) return row.support;
@@ -45,7 +51,7 @@ template <class Row>
     }
     std::vector<KnownName> known;
     for (const Row& row : table) known.push_back({row.name, support_of(row)});
-    throw_unsupported(place, what, name, known);
+    throw_unsupported(place, role, name, known);
 }
 
 }  // namespace emulsion

@@ -1,4 +1,6 @@
 // The tables of what may stand before WorldBegin.
+#include <array>
+
 #include "pathtracer/scene_tables.h"
 
 namespace emulsion {
@@ -10,9 +12,8 @@ using enum ValueRange;
 using enum Support;
 
 // --- Camera
-// -----------------------------------------------------------------------------------------------------------
 
-constexpr ParameterSpec kPerspective[] = {
+constexpr auto kPerspective = std::to_array<ParameterSpec>({
     {.name = "fov", .range = positive},
     {.name = "frameaspectratio", .range = positive},
     {.name = "screenwindow", .count = 4},
@@ -20,19 +21,18 @@ constexpr ParameterSpec kPerspective[] = {
     {.name = "focaldistance", .range = positive},  // of no effect without a lens
     {.name = "shutteropen"},
     {.name = "shutterclose"},
-};
-constexpr Implementation kCameras[] = {
+});
+constexpr auto kCameras = std::to_array<Implementation>({
     {"perspective", kPerspective},
     {"orthographic", {}, pbrt_only},
     {"realistic", {}, pbrt_only},
     {"spherical", {}, pbrt_only},
-};
+});
 constexpr ImplementationTable kCameraTable = {"camera", kCameras};
 
 // --- Film
-// -------------------------------------------------------------------------------------------------------------
 
-constexpr KnownName kSensors[] = {
+constexpr auto kSensors = std::to_array<KnownName>({
     {"cie1931"},
     {"canon_eos_100d", pbrt_only},
     {"canon_eos_1dx_mkii", pbrt_only},
@@ -51,8 +51,8 @@ constexpr KnownName kSensors[] = {
     {"sony_ilce_7m3", pbrt_only},
     {"sony_ilce_7rm3", pbrt_only},
     {"sony_ilce_9", pbrt_only},
-};
-constexpr ParameterSpec kRgbFilm[] = {
+});
+constexpr auto kRgbFilm = std::to_array<ParameterSpec>({
     {.name = "xresolution", .kind = integer, .range = positive},
     {.name = "yresolution", .kind = integer, .range = positive},
     {.name = "filename", .kind = string},
@@ -64,57 +64,60 @@ constexpr ParameterSpec kRgbFilm[] = {
     {.name = "pixelbounds", .support = pbrt_only},
     {.name = "whitebalance", .support = pbrt_only},
     {.name = "maxcomponentvalue", .support = pbrt_only},
-};
-constexpr Implementation kFilms[] = {{"rgb", kRgbFilm}, {"gbuffer", {}, pbrt_only}, {"spectral", {}, pbrt_only}};
+});
+constexpr auto kFilms =
+    std::to_array<Implementation>({{"rgb", kRgbFilm}, {"gbuffer", {}, pbrt_only}, {"spectral", {}, pbrt_only}});
 constexpr ImplementationTable kFilmTable = {"film", kFilms};
 
 // --- Sampler
-// ----------------------------------------------------------------------------------------------------------
 
 // Both are Owen's scrambling to us; pbrt's "fastowen" is a quicker hash for the same thing.
-constexpr KnownName kRandomizations[] = {{"owen"}, {"fastowen"}, {"none", pbrt_only}, {"permutedigits", pbrt_only}};
+constexpr auto kRandomizations =
+    std::to_array<KnownName>({{"owen"}, {"fastowen"}, {"none", pbrt_only}, {"permutedigits", pbrt_only}});
 constexpr ParameterSpec kSamples = {.name = "pixelsamples", .kind = integer, .range = positive};
 constexpr ParameterSpec kSeed = {.name = "seed", .kind = integer};
-constexpr ParameterSpec kIndependent[] = {kSamples, kSeed};
-constexpr ParameterSpec kStratified[] = {
+constexpr auto kIndependent = std::to_array<ParameterSpec>({kSamples, kSeed});
+constexpr auto kStratified = std::to_array<ParameterSpec>({
     {.name = "xsamples", .kind = integer, .range = positive},
     {.name = "ysamples", .kind = integer, .range = positive},
     {.name = "jitter", .kind = boolean},
     kSeed,
-};
-constexpr ParameterSpec kPaddedSobol[] = {
-    kSamples, kSeed, {.name = "randomization", .kind = string, .choices = kRandomizations}};
-constexpr Implementation kSamplers[] = {
-    {"independent", kIndependent}, {"stratified", kStratified}, {"paddedsobol", kPaddedSobol},
-    {"halton", {}, pbrt_only},     {"pmj02bn", {}, pbrt_only},  {"sobol", {}, pbrt_only},
+});
+constexpr auto kPaddedSobol = std::to_array<ParameterSpec>(
+    {kSamples, kSeed, {.name = "randomization", .kind = string, .choices = kRandomizations}});
+constexpr auto kSamplers = std::to_array<Implementation>({
+    {"independent", kIndependent},
+    {"stratified", kStratified},
+    {"paddedsobol", kPaddedSobol},
+    {"halton", {}, pbrt_only},
+    {"pmj02bn", {}, pbrt_only},
+    {"sobol", {}, pbrt_only},
     {"zsobol", {}, pbrt_only},
-};
+});
 constexpr ImplementationTable kSamplerTable = {"sampler", kSamplers};
 
 // --- PixelFilter
-// ------------------------------------------------------------------------------------------------------
 
 constexpr ParameterSpec kXRadius = {.name = "xradius", .range = positive};
 constexpr ParameterSpec kYRadius = {.name = "yradius", .range = positive};
-constexpr ParameterSpec kRadii[] = {kXRadius, kYRadius};
-constexpr ParameterSpec kGaussian[] = {kXRadius, kYRadius, {.name = "sigma", .range = positive}};
-constexpr ParameterSpec kMitchell[] = {kXRadius, kYRadius, {.name = "B"}, {.name = "C"}};
-constexpr ParameterSpec kSinc[] = {kXRadius, kYRadius, {.name = "tau", .range = positive}};
-constexpr Implementation kFilters[] = {
-    {"box", kRadii}, {"triangle", kRadii}, {"gaussian", kGaussian}, {"mitchell", kMitchell}, {"sinc", kSinc}};
+constexpr auto kRadii = std::to_array<ParameterSpec>({kXRadius, kYRadius});
+constexpr auto kGaussian = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "sigma", .range = positive}});
+constexpr auto kMitchell = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "B"}, {.name = "C"}});
+constexpr auto kSinc = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "tau", .range = positive}});
+constexpr auto kFilters = std::to_array<Implementation>(
+    {{"box", kRadii}, {"triangle", kRadii}, {"gaussian", kGaussian}, {"mitchell", kMitchell}, {"sinc", kSinc}});
 constexpr ImplementationTable kFilterTable = {"pixel filter", kFilters};
 
 // --- Integrator
-// -------------------------------------------------------------------------------------------------------
 
 // How lights are picked changes the noise, not the picture; ours is by power.
-constexpr KnownName kLightSamplers[] = {{"bvh"}, {"uniform"}, {"power"}, {"exhaustive"}};
-constexpr ParameterSpec kPath[] = {
+constexpr auto kLightSamplers = std::to_array<KnownName>({{"bvh"}, {"uniform"}, {"power"}, {"exhaustive"}});
+constexpr auto kPath = std::to_array<ParameterSpec>({
     {.name = "maxdepth", .kind = integer, .range = not_negative},
     {.name = "lightsampler", .kind = string, .choices = kLightSamplers},
     {.name = "regularize", .kind = boolean, .only = 0.0},
-};
-constexpr Implementation kIntegrators[] = {
+});
+constexpr auto kIntegrators = std::to_array<Implementation>({
     {"path", kPath},
     {"ambientocclusion", {}, pbrt_only},
     {"bdpt", {}, pbrt_only},
@@ -126,7 +129,7 @@ constexpr Implementation kIntegrators[] = {
     {"simplevolpath", {}, pbrt_only},
     {"sppm", {}, pbrt_only},
     {"volpath", {}, pbrt_only},
-};
+});
 constexpr ImplementationTable kIntegratorTable = {"integrator", kIntegrators};
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "pathtracer/scene_options.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,7 +19,7 @@ float filter_number(const ParameterList& list, std::string_view name, float othe
     const auto value = static_cast<float>(parameter->numbers.front());
     const bool kept = std::isfinite(value) && (value != 0.0f || parameter->numbers.front() == 0.0);
     if (kept) return value;
-    throw SceneError(parameter->first_value, fmt::format("{} for parameter \"{}\"", parameter->numbers.front(), name),
+    throw SceneError(parameter->first_value, fmt::format(R"({} for parameter "{}")", parameter->numbers.front(), name),
                      "a number that single precision holds");
 }
 
@@ -59,11 +60,11 @@ struct FilterReader {
     std::string_view name;
     Filter (*read)(const ParameterList&);
 };
-constexpr FilterReader kFilterReaders[] = {{BoxFilter::kName, read_box},
-                                           {TriangleFilter::kName, read_triangle},
-                                           {GaussianFilter::kName, read_gaussian},
-                                           {MitchellFilter::kName, read_mitchell},
-                                           {LanczosSincFilter::kName, read_sinc}};
+constexpr auto kFilterReaders = std::to_array<FilterReader>({{BoxFilter::kName, read_box},
+                                                             {TriangleFilter::kName, read_triangle},
+                                                             {GaussianFilter::kName, read_gaussian},
+                                                             {MitchellFilter::kName, read_mitchell},
+                                                             {LanczosSincFilter::kName, read_sinc}});
 
 Sampler read_independent(const ParameterList& list) {
     return IndependentSampler{integer_or(list, "pixelsamples", IndependentSampler{}.samples_per_pixel)};
@@ -88,8 +89,8 @@ struct SamplerReader {
     std::string_view name;
     Sampler (*read)(const ParameterList&);
 };
-constexpr SamplerReader kSamplerReaders[] = {
-    {"independent", read_independent}, {"paddedsobol", read_padded_sobol}, {"stratified", read_stratified}};
+constexpr auto kSamplerReaders = std::to_array<SamplerReader>(
+    {{"independent", read_independent}, {"paddedsobol", read_padded_sobol}, {"stratified", read_stratified}});
 
 }  // namespace
 
@@ -115,7 +116,7 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
     }
     const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
     exposure.time_s =
-        checked_exposure(list.place, time_s, "an exposure time of", "\"shutterclose\" after \"shutteropen\"");
+        checked_exposure(list.place, time_s, "an exposure time of", R"("shutterclose" after "shutteropen")");
 }
 
 void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure) {
@@ -136,13 +137,13 @@ void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure
 
 void read_sampler(const ParameterList& list, Sampler& sampler, int& seed) {
     check_parameters(sampler_table(), list);
-    sampler = supported_row<SamplerReader>(list.place, "sampler", list.owner, kSamplerReaders).read(list);
+    sampler = supported_row<SamplerReader>(list.place, {"sampler"}, list.owner, kSamplerReaders).read(list);
     seed = integer_or(list, "seed", 0);
 }
 
 Filter read_filter(const ParameterList& list) {
     check_parameters(filter_table(), list);
-    return supported_row<FilterReader>(list.place, "pixel filter", list.owner, kFilterReaders).read(list);
+    return supported_row<FilterReader>(list.place, {"pixel filter"}, list.owner, kFilterReaders).read(list);
 }
 
 PathIntegratorSettings read_integrator(const ParameterList& list) {

@@ -18,13 +18,18 @@ struct KindRow {
     std::string_view declared_as;  // in messages
 };
 
-constexpr KindRow kKinds[] = {
-    {ValueKind::integer, 1, "integer"}, {ValueKind::real, 1, "float"},
-    {ValueKind::boolean, 1, "bool"},    {ValueKind::string, 1, "string"},
-    {ValueKind::point2, 2, "point2"},   {ValueKind::vector2, 2, "vector2"},
-    {ValueKind::point3, 3, "point3"},   {ValueKind::vector3, 3, "vector3"},
-    {ValueKind::normal, 3, "normal"},   {ValueKind::spectrum, 1, "rgb, blackbody or spectrum"},
-};
+constexpr auto kKinds = std::to_array<KindRow>({
+    {ValueKind::integer, 1, "integer"},
+    {ValueKind::real, 1, "float"},
+    {ValueKind::boolean, 1, "bool"},
+    {ValueKind::string, 1, "string"},
+    {ValueKind::point2, 2, "point2"},
+    {ValueKind::vector2, 2, "vector2"},
+    {ValueKind::point3, 3, "point3"},
+    {ValueKind::vector3, 3, "vector3"},
+    {ValueKind::normal, 3, "normal"},
+    {ValueKind::spectrum, 1, "rgb, blackbody or spectrum"},
+});
 
 const KindRow& row_of(ValueKind kind) noexcept {
     for (const KindRow& row : kKinds) {
@@ -104,19 +109,19 @@ void check_range(const SceneParameter& parameter, const ParameterSpec& spec, con
 void check_choices(const SceneParameter& parameter, const ParameterSpec& spec) {
     if (spec.choices.empty()) return;
     static_cast<void>(
-        supported_row<KnownName>(place_of_value(parameter, 0), spec.name, parameter.strings.front(), spec.choices));
+        supported_row<KnownName>(place_of_value(parameter, 0), {spec.name}, parameter.strings.front(), spec.choices));
 }
 
 }  // namespace
 
 const Implementation& check_parameters(const ImplementationTable& table, const ParameterList& list) {
     const auto& implementation =
-        supported_row<Implementation>(list.place, table.noun, list.owner, table.implementations);
-    const std::string owner = fmt::format("{} \"{}\"", table.noun, list.owner);
+        supported_row<Implementation>(list.place, {table.noun}, list.owner, table.implementations);
+    const std::string of_owner = fmt::format(" of {} \"{}\"", table.noun, list.owner);
     for (const SceneParameter& parameter : list.parameters) {
-        const auto& spec = supported_row<ParameterSpec>(parameter.place, "parameter of " + owner, parameter.name,
+        const auto& spec = supported_row<ParameterSpec>(parameter.place, {"parameter", of_owner}, parameter.name,
                                                         implementation.parameters);
-        const std::string of = fmt::format("parameter \"{}\" of {}", spec.name, owner);
+        const std::string of = fmt::format("parameter \"{}\"{}", spec.name, of_owner);
         check_type(parameter, spec, of);
         check_count(parameter, spec, of);
         check_range(parameter, spec, of);

@@ -1,6 +1,7 @@
 #include "pathtracer/scene_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,7 +21,7 @@ struct TypeName {
     Support support = Support::here;
 };
 
-constexpr TypeName kTypeNames[] = {
+constexpr auto kTypeNames = std::to_array<TypeName>({
     {"integer", DeclaredType::integer, TokenType::whole_number},
     {"float", DeclaredType::real, TokenType::number},
     {"bool", DeclaredType::boolean, TokenType::truth},
@@ -37,7 +38,7 @@ constexpr TypeName kTypeNames[] = {
     {"blackbody", DeclaredType::blackbody, TokenType::number},
     {"spectrum", DeclaredType::spectrum, TokenType::number_or_string},
     {"texture", DeclaredType::texture, TokenType::string},
-};
+});
 
 bool is_truth(const Token& token, std::string_view word) {
     // pbrt-v4 itself takes the bare words only; older files have them in quotes.
@@ -47,13 +48,13 @@ bool is_truth(const Token& token, std::string_view word) {
 constexpr std::string_view expected_token(TokenType type, bool in_brackets) {
     switch (type) {
         case TokenType::truth:
-            return in_brackets ? "true, false or \"]\"" : "true or false";
+            return in_brackets ? R"(true, false or "]")" : "true or false";
         case TokenType::string:
-            return in_brackets ? "a string or \"]\"" : "a string";
+            return in_brackets ? R"(a string or "]")" : "a string";
         case TokenType::number_or_string:
-            return in_brackets ? "a number, a string or \"]\"" : "a number or a string";
+            return in_brackets ? R"(a number, a string or "]")" : "a number or a string";
         default:
-            return in_brackets ? "a number or \"]\"" : "a number";
+            return in_brackets ? R"(a number or "]")" : "a number";
     }
 }
 
@@ -76,7 +77,7 @@ void add_value(SceneParameter& parameter, const Token& token, TokenType type, bo
         return;
     }
     if (!parameter.strings.empty()) {
-        throw SceneError(token.place, describe(token), "a string after a string, or \"]\"");
+        throw SceneError(token.place, describe(token), R"(a string after a string, or "]")");
     }
     const double number = number_value(token, expected);
     constexpr double kLargest = std::numeric_limits<int>::max(), kSmallest = std::numeric_limits<int>::min();
@@ -95,12 +96,12 @@ void read_values(Lexer& lexer, SceneParameter& parameter, TokenType type) {
     parameter.first_value = lexer.peek().place;
     while ((token = lexer.next()).kind != TokenKind::close_bracket) {
         if (token.kind == TokenKind::end) {
-            throw SceneError(token.place, describe(token), "a \"]\" for the \"[\" at " + to_text(opened));
+            throw SceneError(token.place, describe(token), R"(a "]" for the "[" at )" + to_text(opened));
         }
         add_value(parameter, token, type, true);
     }
     if (parameter.numbers.empty() && parameter.strings.empty()) {
-        throw SceneError(token.place, "\"]\" right after \"[\"", "at least one value");
+        throw SceneError(token.place, R"("]" right after "[")", "at least one value");
     }
 }
 
@@ -114,11 +115,10 @@ SceneParameter declare(const Token& token, TokenType& token_type) {
     const auto name_end = text.find_first_of(kBlanks, name_begin);
     const bool two_words = name_begin != std::string::npos && type_begin != std::string::npos &&
                            text.find_first_not_of(kBlanks, name_end) == std::string::npos;
-    if (!two_words) throw SceneError(token.place, describe(token), "a parameter's \"type name\"");
+    if (!two_words) throw SceneError(token.place, describe(token), R"(a parameter's "type name")");
 
     const std::string_view type_name = std::string_view(text).substr(type_begin, type_end - type_begin);
-    const TypeName& type =
-        supported_row<TypeName>(token.place, "parameter type", type_name, std::span<const TypeName>(kTypeNames));
+    const auto& type = supported_row<TypeName>(token.place, {"parameter type"}, type_name, kTypeNames);
     token_type = type.token;
     SceneParameter parameter;
     parameter.place = token.place;

@@ -1,5 +1,6 @@
 #include "pathtracer/scene_parser.h"
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -16,7 +17,6 @@ namespace emulsion {
 namespace {
 
 // --- What follows a directive
-// -----------------------------------------------------------------------------------------
 
 /// What a directive acts on.
 struct Reading {
@@ -48,7 +48,6 @@ Token read_string(Lexer& lexer, const Token& directive) {
 }
 
 // --- The directives
-// ---------------------------------------------------------------------------------------------------
 
 void run_identity(Reading& r) { r.scene.transform(r.directive.place, Imath::M44d()); }
 void run_transform(Reading& r) { r.scene.transform(r.directive.place, matrix_of_columns(read_numbers<16>(r.lexer))); }
@@ -100,35 +99,35 @@ enum class Where { anywhere, options, world };
 
 struct Directive {
     std::string_view name;
-    Where where = Where::anywhere;
     void (*run)(Reading&) = nullptr;
+    Where where = Where::anywhere;
     Support support = Support::here;
 };
 
 using enum Where;
-constexpr Directive kDirectives[] = {
-    {"AreaLightSource", world, run_named<&SceneBuilder::area_light_source>},
-    {"AttributeBegin", world, run_attribute_begin},
-    {"AttributeEnd", world, run_attribute_end},
-    {"Camera", options, run_named<&SceneBuilder::camera>},
-    {"ConcatTransform", anywhere, run_concat_transform},
-    {"Film", options, run_named<&SceneBuilder::film>},
-    {"Identity", anywhere, run_identity},
-    {"Integrator", options, run_named<&SceneBuilder::integrator>},
-    {"LightSource", world, run_named<&SceneBuilder::light_source>},
-    {"LookAt", anywhere, run_look_at},
-    {"MakeNamedMaterial", world, run_named<&SceneBuilder::make_named_material>},
-    {"Material", world, run_named<&SceneBuilder::material>},
-    {"NamedMaterial", world, run_named_material},
-    {"PixelFilter", options, run_named<&SceneBuilder::pixel_filter>},
-    {"ReverseOrientation", world, run_reverse_orientation},
-    {"Rotate", anywhere, run_rotate},
-    {"Sampler", options, run_named<&SceneBuilder::sampler>},
-    {"Scale", anywhere, run_scale},
-    {"Shape", world, run_named<&SceneBuilder::shape>},
-    {"Transform", anywhere, run_transform},
-    {"Translate", anywhere, run_translate},
-    {"WorldBegin", options, run_world_begin},
+constexpr auto kDirectives = std::to_array<Directive>({
+    {"AreaLightSource", run_named<&SceneBuilder::area_light_source>, world},
+    {"AttributeBegin", run_attribute_begin, world},
+    {"AttributeEnd", run_attribute_end, world},
+    {"Camera", run_named<&SceneBuilder::camera>, options},
+    {"ConcatTransform", run_concat_transform, anywhere},
+    {"Film", run_named<&SceneBuilder::film>, options},
+    {"Identity", run_identity, anywhere},
+    {"Integrator", run_named<&SceneBuilder::integrator>, options},
+    {"LightSource", run_named<&SceneBuilder::light_source>, world},
+    {"LookAt", run_look_at, anywhere},
+    {"MakeNamedMaterial", run_named<&SceneBuilder::make_named_material>, world},
+    {"Material", run_named<&SceneBuilder::material>, world},
+    {"NamedMaterial", run_named_material, world},
+    {"PixelFilter", run_named<&SceneBuilder::pixel_filter>, options},
+    {"ReverseOrientation", run_reverse_orientation, world},
+    {"Rotate", run_rotate, anywhere},
+    {"Sampler", run_named<&SceneBuilder::sampler>, options},
+    {"Scale", run_scale, anywhere},
+    {"Shape", run_named<&SceneBuilder::shape>, world},
+    {"Transform", run_transform, anywhere},
+    {"Translate", run_translate, anywhere},
+    {"WorldBegin", run_world_begin, options},
     {.name = "Accelerator", .support = Support::pbrt_only},
     {.name = "ActiveTransform", .support = Support::pbrt_only},
     {.name = "Attribute", .support = Support::pbrt_only},
@@ -147,7 +146,7 @@ constexpr Directive kDirectives[] = {
     {.name = "TransformBegin", .support = Support::pbrt_only},
     {.name = "TransformEnd", .support = Support::pbrt_only},
     {.name = "TransformTimes", .support = Support::pbrt_only},
-};
+});
 
 void check_block(const Token& token, const Directive& directive, SceneBlock block) {
     if (directive.where == options && block == SceneBlock::world) {
@@ -186,7 +185,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
         Reading reading{lexer, scene, lexer.next()};
         const Token& token = reading.directive;
         if (token.kind != TokenKind::word) throw SceneError(token.place, describe(token), "a directive");
-        const auto& directive = supported_row<Directive>(token.place, "directive", token.text, kDirectives);
+        const auto& directive = supported_row<Directive>(token.place, {"directive"}, token.text, kDirectives);
         check_block(token, directive, scene.block());
         directive.run(reading);
     }

@@ -1,6 +1,7 @@
 #include "pathtracer/scene_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,7 +22,7 @@ std::optional<Geometry> read_sphere(const ParameterList& list, const ShapeFrame&
         const SceneParameter* const parameter = find_parameter(list, end);
         const double z = real_or(list, end, low ? -radius : radius);
         if (low ? z <= -radius : z >= radius) continue;
-        throw SceneError(parameter->first_value, fmt::format("{} for parameter \"{}\" of shape \"sphere\"", z, end),
+        throw SceneError(parameter->first_value, fmt::format(R"({} for parameter "{}" of shape "sphere")", z, end),
                          fmt::format("{} or {} (others are known to pbrt-v4 and not yet supported here)",
                                      low ? -radius : radius, low ? "below" : "above"));
     }
@@ -39,8 +40,8 @@ struct ShapeReader {
     std::string_view name;
     std::optional<Geometry> (*read)(const ParameterList&, const ShapeFrame&, std::vector<std::string>&);
 };
-constexpr ShapeReader kReaders[] = {
-    {"trianglemesh", read_triangle_mesh}, {"bilinearmesh", read_bilinear_mesh}, {"sphere", read_sphere}};
+constexpr auto kReaders = std::to_array<ShapeReader>(
+    {{"trianglemesh", read_triangle_mesh}, {"bilinearmesh", read_bilinear_mesh}, {"sphere", read_sphere}});
 
 /// Surface of the ellipsoid with half axes a >= b >= c > 0.
 /// Source: DLMF 19.33.2, https://dlmf.nist.gov/19.33
@@ -82,7 +83,7 @@ double area_of(const TriangleMesh& mesh) {
 std::optional<Geometry> read_shape(const ParameterList& list, const ShapeFrame& frame,
                                    std::vector<std::string>& warnings) {
     check_parameters(shape_table(), list);
-    return supported_row<ShapeReader>(list.place, "shape", list.owner, kReaders).read(list, frame, warnings);
+    return supported_row<ShapeReader>(list.place, {"shape"}, list.owner, kReaders).read(list, frame, warnings);
 }
 
 double world_area(const Geometry& geometry) {

@@ -98,7 +98,7 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem
                                      fmt::join(names, ", ")));
     }
     throw SceneError(parameter.first_value, "spectrum " + quote(name),
-                     "a known one, or a file that can be read " + nearest_hint(name, names));
+                     "a known one, or a file that can be read" + nearest_hint(name, names));
 }
 
 /// The three numbers of an rgb parameter.

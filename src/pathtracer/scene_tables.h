@@ -19,11 +19,11 @@ enum class ValueRange { any, positive, not_negative };
 struct ParameterSpec {
     std::string_view name;
     ValueKind kind = ValueKind::real;
-    int count = 1;                              ///< values (points, ...) that it holds; 0: any number but none
-    ValueRange range = ValueRange::any;         ///< of numbers
+    int count = 1;                       ///< values (points, ...) that it holds; 0: any number but none
+    ValueRange range = ValueRange::any;  ///< of numbers
+    Support support = Support::here;
     std::optional<double> only = std::nullopt;  ///< the one number (or 0/1 for a flag) that we support
     std::span<const KnownName> choices = {};    ///< of a string; empty: any
-    Support support = Support::here;
 };
 
 /// One value of a directive's first string: Shape "sphere".

@@ -1,0 +1,176 @@
+#include "pathtracer/scene_options.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene_text.h"
+
+namespace emulsion {
+namespace {
+
+using testing::error_of;
+
+Scene parse_options(const std::string& options) { return testing::parse(options + "\nWorldBegin\n"); }
+
+TEST(SceneOptions, Defaults) {
+    const Scene scene = parse_options("");
+    EXPECT_EQ(scene.camera.world_from_camera, Imath::M44d());
+    EXPECT_EQ(scene.camera.fov_deg, 90.0);
+    EXPECT_FALSE(scene.camera.screen_window);
+    EXPECT_FALSE(scene.camera.frame_aspect_ratio);
+    EXPECT_EQ(scene.film.width_px, 1280);
+    EXPECT_EQ(scene.film.height_px, 720);
+    EXPECT_EQ(scene.film.filename, "");
+    EXPECT_EQ(scene.film.imaging_ratio, 1.0);
+    EXPECT_EQ(scene.film.pixel_type, PixelType::float32);
+    EXPECT_EQ(scene.filter, Filter(GaussianFilter{}));
+    EXPECT_EQ(std::get<PaddedSobolSampler>(scene.sampler).samples_per_pixel, 16);
+    EXPECT_EQ(scene.sampler_seed, 0);
+    EXPECT_EQ(scene.integrator.max_depth, 5);
+}
+
+TEST(SceneOptions, Camera) {
+    const Scene scene = parse_options(R"(Camera "perspective" "float fov" 39.5 "float frameaspectratio" [ 1.5 ]
+        "float screenwindow" [ -1 2 -3 4 ] "float lensradius" 0 "float focaldistance" 12)");
+    EXPECT_EQ(scene.camera.fov_deg, 39.5);
+    EXPECT_EQ(scene.camera.frame_aspect_ratio, 1.5);
+    EXPECT_EQ(scene.camera.screen_window, (std::array<double, 4>{-1, 2, -3, 4}));
+}
+
+TEST(SceneOptions, Film) {
+    const Scene scene = parse_options(R"(Film "rgb" "integer xresolution" 640 "integer yresolution" [480]
+        "string filename" "out.exr" "bool savefp16" true "string sensor" "cie1931" "float diagonal" 50)");
+    EXPECT_EQ(scene.film.width_px, 640);
+    EXPECT_EQ(scene.film.height_px, 480);
+    EXPECT_EQ(scene.film.filename, "out.exr");
+    EXPECT_EQ(scene.film.pixel_type, PixelType::half);
+}
+
+TEST(SceneOptions, ImagingRatioIsExposureTimesIso) {
+    const std::string camera = R"(Camera "perspective" "float shutteropen" 0.25 "float shutterclose" 0.75 )";
+    const std::string film = R"(Film "rgb" "float iso" 400 )";
+    EXPECT_DOUBLE_EQ(parse_options(camera + film).film.imaging_ratio, 2.0);
+    EXPECT_DOUBLE_EQ(parse_options(film + camera).film.imaging_ratio, 2.0);
+    EXPECT_DOUBLE_EQ(parse_options(film).film.imaging_ratio, 4.0);
+}
+
+TEST(SceneOptions, Samplers) {
+    const Scene independent = parse_options(R"(Sampler "independent" "integer pixelsamples" 7 "integer seed" 3)");
+    EXPECT_EQ(std::get<IndependentSampler>(independent.sampler).samples_per_pixel, 7);
+    EXPECT_EQ(independent.sampler_seed, 3);
+
+    const Scene sobol = parse_options(R"(Sampler "paddedsobol" "integer pixelsamples" 64
+        "string randomization" "owen" "integer seed" -1)");
+    EXPECT_EQ(std::get<PaddedSobolSampler>(sobol.sampler).samples_per_pixel, 64);
+    EXPECT_EQ(sobol.sampler_seed, -1);
+
+    const Scene stratified = parse_options(R"(Sampler "stratified" "integer xsamples" 3 "integer ysamples" 5
+        "bool jitter" false)");
+    const auto& strata = std::get<StratifiedSampler>(stratified.sampler);
+    EXPECT_EQ(strata.x_samples, 3);
+    EXPECT_EQ(strata.y_samples, 5);
+    EXPECT_FALSE(strata.jitter);
+    EXPECT_TRUE(std::get<StratifiedSampler>(parse_options("Sampler \"stratified\"").sampler).jitter);
+}
+
+TEST(SceneOptions, FiltersHaveTheParametersOfPbrt) {
+    const std::string radii = R"( "float xradius" 1.25 "float yradius" 3)";
+    EXPECT_EQ(parse_options("PixelFilter \"box\"" + radii).filter, Filter(BoxFilter{1.25f, 3.0f}));
+    EXPECT_EQ(parse_options("PixelFilter \"triangle\"" + radii).filter, Filter(TriangleFilter{1.25f, 3.0f}));
+    EXPECT_EQ(parse_options("PixelFilter \"gaussian\" \"float sigma\" .7" + radii).filter,
+              Filter(GaussianFilter{1.25f, 3.0f, 0.7f}));
+    EXPECT_EQ(parse_options("PixelFilter \"mitchell\" \"float B\" 0 \"float C\" .5" + radii).filter,
+              Filter(MitchellFilter{1.25f, 3.0f, 0.0f, 0.5f}));
+    EXPECT_EQ(parse_options("PixelFilter \"sinc\" \"float tau\" 2" + radii).filter,
+              Filter(LanczosSincFilter{1.25f, 3.0f, 2.0f}));
+    EXPECT_EQ(parse_options("PixelFilter \"mitchell\"").filter, Filter(MitchellFilter{}));
+}
+
+TEST(SceneOptions, Integrator) {
+    const Scene scene = parse_options(R"(Integrator "path" "integer maxdepth" 0 "string lightsampler" "bvh"
+        "bool regularize" false)");
+    EXPECT_EQ(scene.integrator.max_depth, 0);
+    for (const std::string sampler : {"uniform", "power", "exhaustive"}) {
+        EXPECT_NO_THROW(parse_options("Integrator \"path\" \"string lightsampler\" \"" + sampler + "\"")) << sampler;
+    }
+}
+
+TEST(SceneOptions, NumbersMayBeDeclaredEitherWay) {
+    EXPECT_EQ(parse_options(R"(Camera "perspective" "integer fov" 45)").camera.fov_deg, 45.0);
+    EXPECT_EQ(parse_options(R"(Film "rgb" "float xresolution" 300.0)").film.width_px, 300);
+    EXPECT_EQ(parse_options(R"(Film "rgb" "integer xresolution" 3e2)").film.width_px, 300);
+    EXPECT_EQ(
+        error_of(R"(Film "rgb" "float xresolution" 300.5)"),
+        "t.pbrt:1:32: found 300.5 for parameter \"xresolution\" of film \"rgb\", expected a whole number of at most "
+        "32 bits");
+    EXPECT_EQ(error_of(R"(Film "rgb" "integer xresolution" 300.5)"),
+              "t.pbrt:1:34: found \"300.5\", expected a whole number of at most 32 bits");
+    EXPECT_EQ(error_of(R"(Film "rgb" "integer xresolution" 3000000000)"),
+              "t.pbrt:1:34: found \"3000000000\", expected a whole number of at most 32 bits");
+}
+
+TEST(SceneOptions, FlagsMayBeQuoted) {
+    EXPECT_EQ(parse_options(R"(Film "rgb" "bool savefp16" "true")").film.pixel_type, PixelType::half);
+    EXPECT_EQ(parse_options(R"(Film "rgb" "bool savefp16" ["false"])").film.pixel_type, PixelType::float32);
+    EXPECT_EQ(error_of(R"(Film "rgb" "bool savefp16" 1)"), "t.pbrt:1:28: found \"1\", expected true or false");
+}
+
+TEST(SceneOptions, TheLaterOfTwoIsTakenAndWarnedOf) {
+    const Scene scene =
+        parse_options("Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 50\n Film \"rgb\"");
+    EXPECT_EQ(scene.film.width_px, 1280);
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_EQ(scene.warnings[0], "t.pbrt:2:2: Film replaces the one at t.pbrt:1:1");
+}
+
+struct BadOption {
+    std::string text, message;
+};
+
+TEST(SceneOptions, RefusesValuesOutOfRange) {
+    const BadOption bad[] = {
+        {R"(Camera "perspective" "float fov" 180)",
+         "1:34: found a field of view of 180, expected an angle above 0 and below 180 degrees"},
+        {R"(Camera "perspective" "float fov" [-1])",
+         "1:35: found -1 for parameter \"fov\" of camera \"perspective\", expected a number above 0"},
+        {R"(Camera "perspective" "float lensradius" .1)",
+         "1:41: found 0.1 for parameter \"lensradius\" of camera \"perspective\", expected 0 (others are known to "
+         "pbrt-v4 "
+         "and not yet supported here)"},
+        {R"(Camera "perspective" "float screenwindow" [0 1 2])",
+         "1:22: found 3 values for parameter \"screenwindow\" of camera \"perspective\", expected 4"},
+        {R"(Camera "perspective" "float screenwindow" [1 1 0 1])",
+         "1:44: found a screen window without area, expected x min, x max, y min, y max"},
+        {R"(Camera "perspective" "float shutteropen" 2)",
+         "1:8: found an exposure time of -1, expected \"shutterclose\" after \"shutteropen\""},
+        {R"(Film "rgb" "integer xresolution" 0)",
+         "1:34: found 0 for parameter \"xresolution\" of film \"rgb\", expected a number above 0"},
+        {R"(Film "rgb" "integer xresolution" 100000 "integer yresolution" 100000)",
+         "1:6: found 100000 x 100000 pixels, expected at most 2147483647 in all"},
+        {R"(Film "rgb" "float iso" 1e60)",
+         "1:6: found an ISO speed of 1e+60, expected a number that single precision holds"},
+        {R"(Film "rgb" "string sensor" "nikon_d850")",
+         "1:28: found sensor \"nikon_d850\", expected a supported one (known to pbrt-v4 and not yet supported here; "
+         "supported: cie1931)"},
+        {R"(Film "rgb" "string sensor" "cie1932")",
+         "1:28: found unknown sensor \"cie1932\", expected a known one (nearest known name: \"cie1931\")"},
+        {R"(Sampler "stratified" "integer xsamples" 65536 "integer ysamples" 65536)",
+         "1:9: found 65536 x 65536 samples, expected at most 2147483647 in all"},
+        {R"(Sampler "paddedsobol" "string randomization" "none")",
+         "1:46: found randomization \"none\", expected a supported one (known to pbrt-v4 and not yet supported here; "
+         "supported: owen, fastowen)"},
+        {R"(PixelFilter "box" "float xradius" 1e-60)",
+         "1:35: found 1e-60 for parameter \"xradius\", expected a number that single precision holds"},
+        {R"(Integrator "path" "integer maxdepth" -1)",
+         "1:38: found -1 for parameter \"maxdepth\" of integrator \"path\", expected 0 or a number above"},
+        {R"(Integrator "path" "bool regularize" true)",
+         "1:37: found true for parameter \"regularize\" of integrator \"path\", expected false (others are known to "
+         "pbrt-v4 "
+         "and not yet supported here)"},
+    };
+    for (const BadOption& option : bad) EXPECT_EQ(error_of(option.text), "t.pbrt:" + option.message) << option.text;
+}
+
+}  // namespace
+}  // namespace emulsion

@@ -1,0 +1,184 @@
+#include "pathtracer/scene_shapes.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pathtracer/scene_mesh.h"
+#include "scene_text.h"
+
+namespace emulsion {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::only_mesh;
+using testing::parse_world;
+using testing::world_error_of;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle in z = 0 whose edges' cross product is along +z.
+const std::string kTriangle = R"(Shape "trianglemesh" "point3 P" [0 0 0  1 0 0  0 1 0] )";
+
+/// The z of the geometric normal that the mesh's first triangle has.
+double normal_z(const TriangleMesh& mesh) {
+    return edge_cross(mesh, mesh.triangle.at(0)).z * (mesh.flip_normal ? -1.0 : 1.0);
+}
+
+TEST(SceneShapes, TriangleMesh) {
+    const TriangleMesh mesh = only_mesh(parse_world(R"(Translate 1 2 3 Scale 2 2 2
+        Shape "trianglemesh" "integer indices" [0 1 2  2 1 3] "point P" [0 0 0  1 0 0  0 1 0  1 1 0]
+        "point2 uv" [0 0 1 0 0 1 1 1] "vector3 S" [1 0 0 1 0 0 1 0 0 1 0 0])"));
+    EXPECT_THAT(mesh.position,
+                ElementsAre(Imath::V3f(1, 2, 3), Imath::V3f(3, 2, 3), Imath::V3f(1, 4, 3), Imath::V3f(3, 4, 3)));
+    EXPECT_THAT(mesh.triangle, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}));
+    EXPECT_TRUE(mesh.normal.empty());
+    EXPECT_FALSE(mesh.flip_normal);
+}
+
+TEST(SceneShapes, OneTriangleNeedsNoIndices) {
+    EXPECT_THAT(only_mesh(parse_world(kTriangle)).triangle, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(SceneShapes, NormalsFaceAsInPbrt) {
+    EXPECT_GT(normal_z(only_mesh(parse_world(kTriangle))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("ReverseOrientation " + kTriangle))), 0.0);
+    EXPECT_GT(normal_z(only_mesh(parse_world("ReverseOrientation ReverseOrientation " + kTriangle))), 0.0);
+    // A mirror that keeps z keeps the normal: it swaps the handedness of the edges, and so turns them once more.
+    EXPECT_GT(normal_z(only_mesh(parse_world("Scale -1 1 1 " + kTriangle))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("ReverseOrientation Scale -1 1 1 " + kTriangle))), 0.0);
+    EXPECT_GT(normal_z(only_mesh(parse_world("Scale -1 -1 1 " + kTriangle))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("Scale 1 1 -1 " + kTriangle))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("Rotate 180 1 0 0 " + kTriangle))), 0.0);
+    EXPECT_GT(normal_z(only_mesh(parse_world("AttributeBegin ReverseOrientation AttributeEnd " + kTriangle))), 0.0);
+}
+
+TEST(SceneShapes, GivenNormalsDecideTheSide) {
+    const std::string up = R"("normal N" [0 0 2  0 1 2  1 0 2])", down = R"("normal3 N" [0 0 -2  0 1 -2  1 0 -2])";
+    EXPECT_GT(normal_z(only_mesh(parse_world(kTriangle + up))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world(kTriangle + down))), 0.0);
+    EXPECT_GT(normal_z(only_mesh(parse_world("ReverseOrientation " + kTriangle + down))), 0.0);
+    EXPECT_GT(normal_z(only_mesh(parse_world("Scale -1 1 1 " + kTriangle + up))), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("Scale 1 1 -1 " + kTriangle + up))), 0.0);
+}
+
+TEST(SceneShapes, NormalsGoByTheInverseTransposeAndKeepTheirLength) {
+    const std::string normals = R"("normal N" [0 0 2  0 1 2  1 0 2])";
+    EXPECT_THAT(only_mesh(parse_world("Scale 2 1 4 " + kTriangle + normals)).normal,
+                ElementsAre(Imath::V3f(0, 0, 0.5f), Imath::V3f(0, 1, 0.5f), Imath::V3f(0.5f, 0, 0.5f)));
+    EXPECT_THAT(only_mesh(parse_world("ReverseOrientation Translate 5 5 5 " + kTriangle + normals)).normal,
+                ElementsAre(Imath::V3f(0, 0, -2), Imath::V3f(0, -1, -2), Imath::V3f(-1, 0, -2)));
+}
+
+TEST(SceneShapes, BilinearPatchesBecomeTriangles) {
+    const std::string square = R"(Shape "bilinearmesh" "point3 P" [0 0 0  1 0 0  0 1 0  1 1 0])";
+    const TriangleMesh mesh = only_mesh(parse_world(square));
+    EXPECT_THAT(mesh.triangle, ElementsAre(Triangle{0, 1, 3}, Triangle{0, 3, 2}));
+    EXPECT_GT(normal_z(mesh), 0.0);
+    EXPECT_LT(normal_z(only_mesh(parse_world("ReverseOrientation " + square))), 0.0);
+
+    const TriangleMesh two = only_mesh(parse_world(R"(Shape "bilinearmesh" "integer indices" [0 1 2 3  1 4 3 5]
+        "point3 P" [0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1.5 0] "point2 uv" [0 0 0 0 0 0 0 0 0 0 0 0])"));
+    EXPECT_EQ(two.triangle.size(), 4u);
+    EXPECT_DOUBLE_EQ(world_area(two), 2.25);
+}
+
+TEST(SceneShapes, AFoldedEdgeMakesAPatchATriangle) {
+    const Scene scene = parse_world(R"(Shape "bilinearmesh" "point3 P" [0 0 0  1 0 0  0 1 0  0 1 0])");
+    EXPECT_EQ(only_mesh(scene).triangle.size(), 1u);
+    EXPECT_EQ(scene.warnings.at(0), "t.pbrt:2:7: triangles without area, left out: 1 of 2");
+}
+
+TEST(SceneShapes, PatchesMustBeFlatAndConvex) {
+    const auto error = [](const std::string& points) {
+        return world_error_of("Shape \"bilinearmesh\" \"point3 P\" [" + points + "]");
+    };
+    const std::string rest = ", expected a flat convex one (others are known to pbrt-v4 and not yet supported here)";
+    const std::string patch = "t.pbrt:2:7: found patch 0 of shape \"bilinearmesh\", which is not ";
+    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  1 1 .01"), patch + "flat" + rest);
+    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  1 1 1e-6"), "(no error)");
+    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  .2 .2 0"), patch + "convex" + rest);
+    EXPECT_EQ(error("0 0 0  1 0 0  1 1 0  0 1 0"),
+              patch + "convex" + rest);                            // corners in the order of a walk: a bow tie
+    EXPECT_EQ(error("0 0 0  2 0 0  0 1 0  1 1 0"), "(no error)");  // a trapezium
+    EXPECT_EQ(error("0 0 0  1 0 0  2 0 0  3 0 0"), "(no error)");  // no area: warned of
+}
+
+TEST(SceneShapes, Sphere) {
+    const Scene scene = parse_world(R"(Translate 1 2 3 Shape "sphere" "float radius" 2.5
+        ReverseOrientation Scale -1 1 1 Shape "sphere" "float zmin" -1 "float zmax" 7 "float phimax" 360)");
+    const auto first = std::get<Sphere>(scene.shapes.at(0).geometry),
+               second = std::get<Sphere>(scene.shapes.at(1).geometry);
+    EXPECT_EQ(first.radius, 2.5);
+    EXPECT_EQ(first.world_from_object.translation(), Imath::V3d(1, 2, 3));
+    EXPECT_FALSE(first.flip_normal);
+    EXPECT_EQ(second.radius, 1.0);
+    EXPECT_TRUE(second.flip_normal);
+}
+
+TEST(SceneShapes, TrianglesWithoutAreaAreCounted) {
+    const Scene scene = parse_world(R"(LightSource "infinite"
+ Shape "trianglemesh" "integer indices" [0 1 1  0 1 2  0 1 3] "point3 P" [0 0 0  1 0 0  0 1 0  2 0 0]
+ Shape "trianglemesh" "point3 P" [0 0 0  1 0 0  2 0 0])");
+    EXPECT_THAT(scene.warnings, ElementsAre("t.pbrt:3:8: triangles without area, left out: 2 of 3",
+                                            "t.pbrt:4:8: triangles without area, left out: 1 of 1"));
+    EXPECT_EQ(scene.shapes.size(), 1u);
+    EXPECT_THAT(only_mesh(scene).triangle, ElementsAre(Triangle{0, 1, 2}));
+}
+
+struct BadShape {
+    std::string text, message;
+};
+
+TEST(SceneShapes, RefusesWhatIsNoShape) {
+    const BadShape bad[] = {
+        {R"(Shape "trianglemesh" "integer indices" [0 1 2])",
+         "7: found shape \"trianglemesh\" without positions, expected a parameter \"P\""},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0 1 1 1])",
+         "7: found 4 positions and no parameter \"indices\", expected \"indices\", or exactly 3 positions"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1])",
+         "22: found 8 values for parameter \"P\" of shape \"trianglemesh\", expected a multiple of 3"},
+        {R"(Shape "trianglemesh" "point3 P" [])", "34: found \"]\" right after \"[\", expected at least one value"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "integer indices" [0 1])",
+         "53: found 2 values for parameter \"indices\", expected a multiple of 3"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "integer indices" [0 1 2 2 3 0])",
+         "80: found the index 3, expected one from 0 to 2, as \"P\" has 3 positions"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "integer indices" [0 -1 2])",
+         "74: found the index -1, expected one from 0 to 2, as \"P\" has 3 positions"},
+        {R"(Shape "bilinearmesh" "point3 P" [0 0 0 1 0 0 0 1 0])",
+         "7: found 3 positions and no parameter \"indices\", expected \"indices\", or exactly 4 positions"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "normal N" [0 0 1])",
+         "53: found parameter \"N\" of length 1, expected length 3, that of \"P\""},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "point2 uv" [0 0 1 1])",
+         "53: found parameter \"uv\" of length 2, expected length 3, that of \"P\""},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1e39 0])",
+         "46: found (0, 1e+39, 0) in world space for parameter \"P\", expected coordinates that single precision "
+         "holds"},
+        {R"(Shape "trianglemesh" "vector3 P" [0 0 0 1 0 0 0 1 0])",
+         "22: found type \"vector3\" of parameter \"P\" of shape \"trianglemesh\", expected point3"},
+        {R"(Shape "sphere" "float radius" -1)",
+         "31: found -1 for parameter \"radius\" of shape \"sphere\", expected a number above 0"},
+        {R"(Shape "sphere" "float radius" 1e39)",
+         "7: found a sphere that reaches to 1e+39 in world space, expected coordinates that single precision holds"},
+        {R"(Shape "sphere" "float radius" 2 "float zmin" -1)",
+         "46: found -1 for parameter \"zmin\" of shape \"sphere\", expected -2 or below (others are known to pbrt-v4 "
+         "and not "
+         "yet supported here)"},
+        {R"(Shape "sphere" "float zmax" 0)",
+         "29: found 0 for parameter \"zmax\" of shape \"sphere\", expected 1 or above (others are known to pbrt-v4 and "
+         "not "
+         "yet supported here)"},
+        {R"(Shape "sphere" "float phimax" 180)",
+         "31: found 180 for parameter \"phimax\" of shape \"sphere\", expected 360 (others are known to pbrt-v4 and "
+         "not yet "
+         "supported here)"},
+        {R"(Shape "sphere" "float alpha" 1)",
+         "16: found parameter \"alpha\" of shape \"sphere\", expected a supported one (known to pbrt-v4 and not yet "
+         "supported "
+         "here; supported: radius, zmin, zmax, phimax)"},
+    };
+    for (const BadShape& shape : bad) EXPECT_EQ(world_error_of(shape.text), "t.pbrt:2:" + shape.message) << shape.text;
+}
+
+}  // namespace
+}  // namespace emulsion
