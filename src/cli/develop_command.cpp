@@ -23,15 +23,14 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     : command_(program.add_subcommand("develop", "Develop a scene-referred EXR to a PNG")),
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
-    command_->add_option("input", options.exr, "EXR with channels X Y Z or R G B, as `emulsion render` writes it")
+    command_->add_option("EXR", options.exr, "Picture with channels X Y Z or R G B, as `emulsion render` writes it")
         ->required()
-        ->type_name("EXR");
-    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->required()->type_name("FILE");
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor")
+        ->option_text(" ");
+    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG [required]")->required()->option_text("FILE");
+    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
         ->check(CLI::Range(0, 1024))
-        ->type_name("N")
-        ->capture_default_str();
-    command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only");
+        ->option_text("N");
+    command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(*command_, options.pipeline);
 }
 

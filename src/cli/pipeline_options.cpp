@@ -17,7 +17,8 @@ namespace {
 
 /// One line of help: the operators with their parameters, "reinhard-global[:key=0.18,white=inf]".
 std::string tone_mapper_help() {
-    std::string text = "Tone mapping operator of the PNG, NAME[:parameter=value,...]; one of";
+    std::string text = fmt::format("Tone mapping operator of the PNG, NAME[:parameter=value,...] [default: {}]; one of",
+                                   to_text(ToneMapper{}));
     for (const NamedValueDescription& tone_mapper : describe_named<ToneMapper>()) {
         text += fmt::format("\n  {}: {}", tone_mapper.name, tone_mapper.help);
         for (const ParameterDescription& parameter : tone_mapper.parameters) {
@@ -42,8 +43,7 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                 }
             },
             tone_mapper_help())
-        ->type_name("NAME")
-        ->default_str(std::string(ReinhardGlobal::kName));
+        ->option_text("NAME");
 }
 
 void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {

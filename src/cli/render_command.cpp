@@ -110,37 +110,37 @@ RenderCommand::RenderCommand(CLI::App& program)
     : command_(program.add_subcommand("render", "Render a pbrt-v4 scene to an EXR, and to a PNG")),
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
-    command_->add_option("scene", options.scene, "Scene file in pbrt-v4 syntax")->required()->type_name("SCENE");
+    command_->add_option("SCENE", options.scene, "Scene file in pbrt-v4 syntax")->required()->option_text(" ");
     CLI::Option* exr_option =
         command_
             ->add_option("-o,--output", options.exr,
                          "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
-            ->type_name("FILE");
+            ->option_text("FILE");
     exr_option->check(ends_in_exr);
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
-        ->type_name("FILE");
+        ->option_text("FILE");
     command_->add_option("--spp", options.samples_per_pixel, "Samples per pixel, 1 to 16777216 [default: the scene's]")
         ->check(CLI::Range(1, 1 << 24))
-        ->type_name("N");
+        ->option_text("N");
     command_
         ->add_option_function<std::string>(
             "--resolution", [&options](const std::string& text) { options.resolution_px = parse_resolution(text); },
             "Size of the picture in pixels [default: the scene's]")
-        ->type_name("WxH");
+        ->option_text("WxH");
     command_->add_option("--seed", options.seed, "Seed of the random numbers, >= 0 [default: the scene's, or 0]")
         ->check(is_whole_number)
-        ->type_name("N");
-    command_->add_option("--wavelengths", options.wavelengths, "Wavelengths per path: 1, 2, 4, 8, 16 or 32")
+        ->option_text("N");
+    command_
+        ->add_option("--wavelengths", options.wavelengths, "Wavelengths per path: 1, 2, 4, 8, 16 or 32 [default: 4]")
         ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}))
-        ->type_name("N")
-        ->capture_default_str();
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor")
+        ->option_text("N");
+    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
         ->check(CLI::Range(0, 1024))
-        ->type_name("N")
-        ->capture_default_str();
-    command_->add_flag("--rgb", options.rgb, "Write linear Rec. 709 R G B into the EXR instead of X Y Z");
-    command_->add_flag("--half", options.half, "Write 16-bit floats into the EXR instead of 32-bit ones");
-    command_->add_flag("--quiet", options.quiet, "No progress and no summary; warnings and errors only");
+        ->option_text("N");
+    command_->add_flag("--rgb", options.rgb, "Write linear Rec. 709 R G B into the EXR [default: X Y Z]");
+    command_->add_flag("--half", options.half, "Write 16-bit floats into the EXR [default: 32-bit ones]");
+    command_->add_flag("--quiet", options.quiet,
+                       "No progress and no summary; warnings and errors only [default: both]");
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {
         if (!options.png.empty() && options.png == options.exr) {
