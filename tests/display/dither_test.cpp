@@ -1,6 +1,7 @@
 #include "display/dither.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +152,43 @@ TEST(FloydSteinberg, LosesTheErrorOfTheLastPixelAndNothingElse) {
     picture(63, 63) = {0.5f, 0.5f, 0.5f};
     const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), 1));
     for (const std::int64_t units : {lost.r, lost.g, lost.b}) EXPECT_LE(std::abs(units), kUnitsPerCode / 2);
+}
+
+/// The rule as it is written, in double precision: each error is divided among the neighbours that exist.
+Image<CodeRGB> diffuse_plainly(const Image<RGB>& picture) {
+    struct Neighbour {
+        int dx, dy, weight;
+    };
+    constexpr std::array<Neighbour, 4> kNeighbours = {{{1, 0, 7}, {-1, 1, 3}, {0, 1, 5}, {1, 1, 1}}};
+    Image<double> values(picture.width(), picture.height());
+    Image<CodeRGB> codes(picture.width(), picture.height());
+    for (std::size_t i = 0; i < values.pixels().size(); ++i) values.pixels()[i] = 255.0 * picture.pixels()[i].g;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const double code = std::clamp(std::floor(values(x, y) + 0.5), 0.0, 255.0);
+            codes(x, y).g = static_cast<std::uint8_t>(code);
+            std::vector<Neighbour> inside;
+            for (const Neighbour& n : kNeighbours) {
+                if (x + n.dx >= 0 && x + n.dx < picture.width() && y + n.dy < picture.height()) inside.push_back(n);
+            }
+            int total = 0;
+            for (const Neighbour& n : inside) total += n.weight;
+            for (const Neighbour& n : inside) values(x + n.dx, y + n.dy) += (values(x, y) - code) * n.weight / total;
+        }
+    }
+    return codes;
+}
+
+// Units of 2^-16 code could turn a rounding the other way, but do so for none of these pixels.
+TEST(FloydSteinberg, FollowsTheRuleAsWritten) {
+    for (const auto& [width, height] : {std::pair{1, 50}, {50, 1}, {2, 30}, {61, 47}}) {
+        const Image<RGB> picture = random_picture(width, height, 55);
+        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+        const Image<CodeRGB> plain = diffuse_plainly(picture);
+        for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
+            ASSERT_EQ(codes.pixels()[i].g, plain.pixels()[i].g) << width << "x" << height << ", pixel " << i;
+        }
+    }
 }
 
 // By hand, in codes: 100.4 gives 100 and hands on 0.4, 7/13 of it to the right in the first column: 100.615 gives 101.
