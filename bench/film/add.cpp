@@ -68,7 +68,7 @@ struct alignas(32) PlainPixel {
 
 void add_plain(std::vector<PlainPixel>& pixels, int x, int y, XYZ value, float weight) {
     auto& sum = pixels[static_cast<std::size_t>(y) * kTile_px + static_cast<std::size_t>(x)].sum;
-    const double w = static_cast<double>(weight);
+    const auto w = static_cast<double>(weight);
     sum[0] += w * static_cast<double>(value.x);
     sum[1] += w * static_cast<double>(value.y);
     sum[2] += w * static_cast<double>(value.z);
@@ -197,16 +197,19 @@ void filter_sample(benchmark::State& state, const Filter& filter) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
 }
 
-BENCHMARK(plain_double4);
-BENCHMARK(tile_xyz);
-BENCHMARK(tile_spectral4);
-BENCHMARK(tile_xyz_and_merge);
-BENCHMARK(merge);
-BENCHMARK_CAPTURE(filter_sample, box, Filter(BoxFilter{}));
-BENCHMARK_CAPTURE(filter_sample, triangle, Filter(TriangleFilter{}));
-BENCHMARK_CAPTURE(filter_sample, gaussian, Filter(GaussianFilter{}));
-BENCHMARK_CAPTURE(filter_sample, mitchell, Filter(MitchellFilter{}));
-BENCHMARK_CAPTURE(filter_sample, sinc, Filter(LanczosSincFilter{}));
+/// Prints mean, median and spread of nine runs.
+void nine_times(benchmark::internal::Benchmark* benchmark) { benchmark->Repetitions(9)->ReportAggregatesOnly(); }
+
+BENCHMARK(plain_double4)->Apply(nine_times);
+BENCHMARK(tile_xyz)->Apply(nine_times);
+BENCHMARK(tile_spectral4)->Apply(nine_times);
+BENCHMARK(tile_xyz_and_merge)->Apply(nine_times);
+BENCHMARK(merge)->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, box, Filter(BoxFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, triangle, Filter(TriangleFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, gaussian, Filter(GaussianFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, mitchell, Filter(MitchellFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, sinc, Filter(LanczosSincFilter{}))->Apply(nine_times);
 
 }  // namespace
 }  // namespace emulsion

@@ -50,12 +50,12 @@ double eval_inside(const LanczosSincFilter& filter, double offset_px, double) no
 }
 
 /// std::visit, but noexcept: that one may throw for a variant without a value, which these plain structs don't allow.
-template <std::size_t kFirst = 0, class F>
+template <std::size_t First = 0, class F>
 double visit_filter(const Filter& filter, const F& f) noexcept {
-    if constexpr (kFirst + 1 < std::variant_size_v<Filter>) {
-        if (filter.index() != kFirst) return visit_filter<kFirst + 1>(filter, f);
+    if constexpr (First + 1 < std::variant_size_v<Filter>) {
+        if (filter.index() != First) return visit_filter<First + 1>(filter, f);
     }
-    return f(*std::get_if<kFirst>(&filter));
+    return f(*std::get_if<First>(&filter));
 }
 
 void require(bool ok, std::string_view filter, std::string_view field, double value, std::string_view expected) {

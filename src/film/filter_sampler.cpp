@@ -93,7 +93,8 @@ FilterSampler::AxisTable FilterSampler::make_table(const Filter& filter, FilterA
         };
         const auto w = cubic_through(weight);
         double worst = 0.0;
-        for (double t = 0.0; t <= 1.0; t += 1.0 / 16.0) {
+        for (int k = 0; k <= 16; ++k) {
+            const double t = k / 16.0;
             worst = std::max(worst, std::abs(w[0] + t * (w[1] + t * (w[2] + t * w[3])) - weight(t)));
         }
         table.cells.push_back({static_cast<float>(start), static_cast<float>(width), static_cast<float>(w[0]),

@@ -2,6 +2,7 @@
 // The sensor: from the radiance at the wavelengths of one path to absolute XYZ.
 // Radiance in W m^-2 sr^-1 nm^-1, wavelengths in nm, densities in 1/nm, Y in cd/m^2 (times the imaging ratio).
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -66,7 +67,7 @@ class Sensor {
                                      int first) const noexcept {
         // Idle places get no radiance.
         constexpr float kMin_nm = kMinWavelength_nm;
-        constexpr std::size_t kBytes = sizeof(float) * (N < 4 ? N : 4);
+        constexpr std::size_t kBytes = sizeof(float) * std::min(N, 4);
         Float4 lambda_nm = {kMin_nm, kMin_nm, kMin_nm, kMin_nm}, pdf = {1.0f, 1.0f, 1.0f, 1.0f}, value{};
         std::memcpy(&lambda_nm, wavelengths.lambda_nm.data() + first, kBytes);
         std::memcpy(&pdf, wavelengths.pdf.data() + first, kBytes);

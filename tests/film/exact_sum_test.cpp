@@ -41,8 +41,10 @@ TEST(ExactSum, LosesNothingToMagnitude) {
 TEST(ExactSum, DoesNotDependOnOrder) {
     Pcg32 random(1);
     std::vector<double> terms;
-    for (int i = 0; i < 1000; ++i)
+    terms.reserve(1000);
+    for (int i = 0; i < 1000; ++i) {
         terms.push_back(std::ldexp(static_cast<double>(random.next_float()) - 0.4, i % 120 - 60));
+    }
     ExactSum forwards;
     for (const double term : terms) forwards += ExactSum(term);
     std::mt19937 shuffler(1);

@@ -42,16 +42,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-using testing::SizeIs;
 using testing::ThrowsMessage;
 
 class ExrFile : public testing::Test {
   protected:
-    ExrFile() {
+    void SetUp() override {
         std::string name = (fs::temp_directory_path() / "emulsion-exr-XXXXXX").string();
         folder_ = ::mkdtemp(name.data());
     }
-    ~ExrFile() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
 
     [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
     [[nodiscard]] std::size_t files_in_folder() const {
@@ -233,8 +232,8 @@ TEST_F(ExrFile, WriteOverAFolderIsAnIoError) {
     std::_Exit(status);
 }
 
-// A disk that fills up at the header, in the middle, and at the last byte (which OpenEXR writes in a destructor that
-// swallows errors; the table of chunks comes even later).
+// A disk that fills up at the header, in the middle, and at the last byte. That one is still in the stream's buffer
+// when OpenEXR's destructor, which swallows errors, flushes it.
 TEST_F(ExrFile, FullDiskLeavesTheOldFileAndNoPartOfTheNew) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
@@ -425,14 +424,15 @@ TEST_F(ExrFile, UnfinishedFilesAreRefused) {
                 throws_io_error(file("a.exr"), HasSubstr("incomplete")));
 }
 
-// Every bit of the header and of the table of chunks, and one in a few of the rest: an IoError or a picture, no crash,
-// and no memory that such a file could not fill.
+// Every bit of the header and of the table of chunks in one kind of file, and one in a few of the rest and of the other
+// kinds: an IoError or a picture, no crash, and no memory that such a file could not fill.
 TEST_F(ExrFile, FlippedBitsNeverCrash) {
     for (const ExrOptions& options : kAllOptions) {
         write_exr(file("whole.exr"), picture(20, 40), metadata(), options);
         const std::string whole = contents(file("whole.exr"));
         int refused = 0;
-        for (std::size_t bit = 0; bit < 8 * whole.size(); bit += bit < 8 * 1000 ? 1 : 101) {
+        const std::size_t step = options == kAllOptions.back() ? 1 : 23;
+        for (std::size_t bit = 0; bit < 8 * whole.size(); bit += bit < 8 * std::size_t{1000} ? step : 211) {
             std::string damaged = whole;
             damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
             write_bytes(file("bad.exr"), damaged);
@@ -445,7 +445,7 @@ TEST_F(ExrFile, FlippedBitsNeverCrash) {
                 ASSERT_THAT(std::string(error.what()), Not(HasSubstr("\n"))) << "bit " << bit;
             }
         }
-        EXPECT_GT(refused, 100);
+        EXPECT_GT(refused, 50);
     }
 }
 

@@ -137,7 +137,7 @@ TEST(FilterSampler, HistogramFollowsTheDensity) {
             Pcg32 random(3);
             for (int i = 0; i < kCount; ++i) {
                 const FilterSample sample = sampler.sample(random.next_float(), random.next_float());
-                const double x = static_cast<double>(axis == FilterAxis::x ? sample.x_offset_px : sample.y_offset_px);
+                const auto x = static_cast<double>(axis == FilterAxis::x ? sample.x_offset_px : sample.y_offset_px);
                 const int bin = static_cast<int>((x + radius) / (2.0 * radius) * kBins);
                 observed[static_cast<std::size_t>(std::min(bin, kBins - 1))] += 1.0;
             }
