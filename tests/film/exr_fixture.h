@@ -1,0 +1,88 @@
+#pragma once
+// A folder of its own for each test of film files, and pictures to write there.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/random.h"
+#include "film/exr_file.h"
+
+namespace emulsion {
+
+namespace fs = std::filesystem;
+
+class ExrFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "emulsion-exr-XXXXXX").string();
+        folder_ = ::mkdtemp(name.data());
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+    [[nodiscard]] std::size_t files_in_folder() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+  private:
+    fs::path folder_;
+};
+
+/// Values of every size, some negative, with the largest half at hand.
+inline Image<XYZ> picture(int width, int height, float scale = 1.0f) {
+    Image<XYZ> image(width, height);
+    Pcg32 random(7);
+    for (XYZ& pixel : image.pixels()) {
+        const float size = scale * std::ldexp(1.0f, static_cast<int>(random.next() % 24u) - 12);
+        pixel = {size * random.next_float(), size * random.next_float(), size * (random.next_float() - 0.1f)};
+    }
+    return image;
+}
+
+inline FilmMetadata metadata() {
+    return {
+        64, std::uint64_t{1} << 40u, 3, 0xfedcba9876543210u, "0.1.0 (test)", "emulsion render \"a b.pbrt\" --spp 64"};
+}
+
+inline const std::vector<ExrOptions> kAllOptions = [] {
+    std::vector<ExrOptions> all;
+    for (const ExrColor color : {ExrColor::xyz, ExrColor::rec709}) {
+        for (const PixelType type : {PixelType::float32, PixelType::half}) {
+            for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
+                all.push_back({color, type, compression});
+            }
+        }
+    }
+    return all;
+}();
+
+inline std::string contents(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// A new file each time: some file systems flush one that is overwritten to disk, and these tests write thousands.
+inline void write_bytes(const fs::path& path, const std::string& bytes) {
+    fs::remove(path);
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// IoError of one line that starts with the path.
+template <class... Matchers>
+auto throws_io_error(const fs::path& path, const Matchers&... matchers) {
+    return ThrowsMessage<IoError>(
+        testing::AllOf(testing::StartsWith(path.string() + ": "), testing::Not(testing::HasSubstr("\n")), matchers...));
+}
+
+}  // namespace emulsion

@@ -1,0 +1,170 @@
+#include <array>
+#include <bit>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <sys/resource.h>
+
+#include "core/error.h"
+#include "exr_fixture.h"
+#include "film/exr_file.h"
+
+namespace emulsion {
+namespace {
+
+using testing::IsEmpty;
+
+bool same_bits(const Image<XYZ>& a, const Image<XYZ>& b) {
+    return a.width() == b.width() && a.height() == b.height() &&
+           std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+TEST_F(ExrFile, ReadsBackWhatAsStoredSays) {
+    Image<XYZ> image = picture(37, 131);
+    image(0, 0) = {-0.0f, 1e-40f, 65504.0f};
+    image(1, 0) = {1e-9f, 65519.0f, -1e5f};
+    image(2, 0) = {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 3e38f};
+    for (const ExrOptions& options : kAllOptions) {
+        write_exr(file("a.exr"), image, metadata(), options);
+        const FilmImage read = read_exr(file("a.exr"));
+        EXPECT_TRUE(same_bits(read.xyz, as_stored(image, options)));
+        EXPECT_EQ(read.metadata, metadata());
+        EXPECT_EQ(read.data_window, (PixelBounds{0, 0, 37, 131}));
+        EXPECT_THAT(read.notes, IsEmpty());
+        EXPECT_EQ(files_in_folder(), 1u);
+    }
+}
+
+TEST_F(ExrFile, FloatXyzIsStoredAsItIs) {
+    const Image<XYZ> image = picture(9, 5);
+    EXPECT_TRUE(same_bits(as_stored(image, {}), image));
+}
+
+TEST_F(ExrFile, RgbAndHalfKeepTheirPrecision) {
+    const Image<XYZ> image = picture(64, 64);
+    const Image<XYZ> rgb = as_stored(image, {ExrColor::rec709});
+    const Image<XYZ> half = as_stored(image, {ExrColor::xyz, PixelType::half});
+    for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+        const XYZ expected = image.pixels()[i];
+        const float size = expected.x + expected.y + std::abs(expected.z);
+        EXPECT_NEAR(rgb.pixels()[i].x, expected.x, 1e-6f * size);
+        EXPECT_NEAR(rgb.pixels()[i].y, expected.y, 1e-6f * size);
+        EXPECT_NEAR(rgb.pixels()[i].z, expected.z, 1e-6f * size);
+        EXPECT_NEAR(half.pixels()[i].y, expected.y, 0x1p-11f * expected.y + 0x1p-25f);
+    }
+}
+
+TEST_F(ExrFile, CountsWhatItCannotHold) {
+    Image<XYZ> image(2, 1);
+    image(0, 0) = {65504.0f, 65505.0f, -1e6f};
+    image(1, 0) = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.0f};
+    const ExrOptions half{ExrColor::xyz, PixelType::half};
+    EXPECT_EQ(write_exr(file("a.exr"), image, {}, half), (ExrWriteResult{2, 2}));
+    EXPECT_EQ(read_exr(file("a.exr")).xyz(0, 0), (XYZ{65504.0f, 65504.0f, -65504.0f}));
+    EXPECT_EQ(write_exr(file("b.exr"), image, {}), (ExrWriteResult{0, 2}));
+
+    image(1, 0) = {3e38f, 0.0f, 0.0f};  // red of Rec. 709 is 3.24 times that
+    EXPECT_EQ(write_exr(file("c.exr"), image, {}, {ExrColor::rec709}), (ExrWriteResult{1, 0}));
+}
+
+TEST_F(ExrFile, HeaderSaysWhatTheNumbersAre) {
+    write_exr(file("xyz.exr"), picture(4, 4), metadata());
+    const Imf::InputFile xyz(file("xyz.exr").c_str());
+    EXPECT_EQ(Imf::chromaticities(xyz.header()).red, Imath::V2f(1.0f, 0.0f));
+    EXPECT_EQ(Imf::chromaticities(xyz.header()).green, Imath::V2f(0.0f, 1.0f));
+    EXPECT_EQ(Imf::chromaticities(xyz.header()).blue, Imath::V2f(0.0f, 0.0f));
+    EXPECT_EQ(Imf::whiteLuminance(xyz.header()), 1.0f);
+    EXPECT_EQ(xyz.header().channels()["Y"].type, Imf::FLOAT);
+    EXPECT_EQ(xyz.header().compression(), Imf::ZIP_COMPRESSION);
+    EXPECT_EQ(xyz.header().typedAttribute<Imf::StringAttribute>("emulsion.samplesPerPixel").value(), "64");
+    EXPECT_EQ(xyz.header().typedAttribute<Imf::StringAttribute>("emulsion.commandLine").value(),
+              metadata().command_line);
+
+    write_exr(file("rgb.exr"), picture(4, 4), {}, {ExrColor::rec709, PixelType::half, ExrCompression::none});
+    const Imf::InputFile rgb(file("rgb.exr").c_str());
+    EXPECT_EQ(Imf::chromaticities(rgb.header()).red, Imath::V2f(0.64f, 0.33f));
+    EXPECT_EQ(Imf::chromaticities(rgb.header()).white, Imath::V2f(0.3127f, 0.329f));
+    EXPECT_EQ(rgb.header().channels()["G"].type, Imf::HALF);
+    EXPECT_EQ(rgb.header().compression(), Imf::NO_COMPRESSION);
+}
+
+// D65 with Y = 1 is RGB (1, 1, 1), to any other reader of the file as well.
+TEST_F(ExrFile, WhiteIsRgbOne) {
+    Image<XYZ> image(1, 1);
+    image(0, 0) = {0.3127f / 0.329f, 1.0f, (1.0f - 0.3127f - 0.329f) / 0.329f};
+    write_exr(file("a.exr"), image, {}, {ExrColor::rec709});
+    Imf::InputFile in(file("a.exr").c_str());
+    std::array<float, 3> rgb{};
+    Imf::FrameBuffer pixels;
+    const std::array<const char*, 3> names = {"R", "G", "B"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        pixels.insert(names[i], Imf::Slice(Imf::FLOAT, std::bit_cast<char*>(&rgb[i]), 4, 4));
+    }
+    in.setFrameBuffer(pixels);
+    in.readPixels(0);
+    for (const float value : rgb) EXPECT_NEAR(value, 1.0f, 1e-6f);
+}
+
+TEST_F(ExrFile, RefusesAnImageWithoutPixels) {
+    EXPECT_THROW(write_exr(file("a.exr"), Image<XYZ>(), {}), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(as_stored(Image<XYZ>(), {})), std::invalid_argument);
+    EXPECT_EQ(files_in_folder(), 0u);
+}
+
+TEST_F(ExrFile, WriteIntoAMissingFolderIsAnIoError) {
+    const fs::path path = file("missing") / "a.exr";
+    EXPECT_THAT([&] { write_exr(path, picture(2, 2), {}); }, throws_io_error(path));
+}
+
+TEST_F(ExrFile, WriteOverAFolderIsAnIoError) {
+    fs::create_directory(file("folder.exr"));
+    EXPECT_THAT([&] { write_exr(file("folder.exr"), picture(2, 2), {}); }, throws_io_error(file("folder.exr")));
+}
+
+/// In a process whose files may not grow past `limit` bytes: 0 if write_exr threw an IoError that names the reason.
+[[noreturn]] void write_with_limit(const fs::path& path, const ExrOptions& options, std::uint64_t limit) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const ::rlimit limits{limit, limit};
+    ::setrlimit(RLIMIT_FSIZE, &limits);
+    int status = 1;
+    try {
+        write_exr(path, picture(64, 200), metadata(), options);
+    } catch (const IoError& error) {
+        const bool named = error.path() == path && error.reason().find("File too large") != std::string::npos;
+        status = named ? 0 : 2;
+    }
+    std::_Exit(status);
+}
+
+// A disk that fills up at the header, in the middle, and at the last byte. That one is still in the stream's buffer
+// when OpenEXR's destructor, which swallows errors, flushes it.
+TEST_F(ExrFile, FullDiskLeavesTheOldFileAndNoPartOfTheNew) {
+    for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
+        const ExrOptions options{ExrColor::xyz, PixelType::float32, compression};
+        write_exr(file("whole.exr"), picture(64, 200), metadata(), options);
+        const std::uint64_t size = fs::file_size(file("whole.exr"));
+        for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{100}, size / 2, size - 1}) {
+            write_bytes(file("old.exr"), "old");
+            EXPECT_EXIT(write_with_limit(file("old.exr"), options, limit), testing::ExitedWithCode(0), "") << limit;
+            EXPECT_EQ(contents(file("old.exr")), "old");
+            EXPECT_EQ(files_in_folder(), 2u);
+        }
+        EXPECT_EXIT(write_with_limit(file("old.exr"), options, size), testing::ExitedWithCode(1), "")
+            << "the limit that just suffices must not fail: then the limits above test nothing";
+    }
+}
+
+}  // namespace
+}  // namespace emulsion
