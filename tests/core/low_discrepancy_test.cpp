@@ -16,7 +16,13 @@ TEST(ReverseBits, IsItsOwnInverseAndMirrorsPowersOfTwo) {
     for (std::uint32_t x = 1; x < 100000; x = x * 5 + 3) EXPECT_EQ(reverse_bits(reverse_bits(x)), x);
 }
 
-/// The generator matrix of Sobol's second dimension is Pascal's triangle modulo 2.
+/// Column j of the generator matrix: the direction number of bit j of the index.
+TEST(SobolSecond, MatchesTheRecurrenceOfItsDirectionNumbers) {
+    std::uint32_t direction = 1u << 31;
+    for (int j = 0; j < 32; ++j, direction ^= direction >> 1) EXPECT_EQ(sobol_second(1u << j), direction) << j;
+    EXPECT_EQ(sobol_second(0x12345678u ^ 0x0f0f1234u), sobol_second(0x12345678u) ^ sobol_second(0x0f0f1234u));
+}
+
 TEST(SobolSecond, MatchesPublishedFirstPoints) {
     const double expected[] = {0.0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875};
     for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(sobol_second(i) * 0x1p-32, expected[i]) << i;
