@@ -40,7 +40,7 @@ Token Lexer::next() {
 }
 
 void Lexer::skip_blanks_and_comments() noexcept {
-    const std::string_view text = source_->text;
+    const std::string_view text = source_->text();
     bool comment = false;
     for (; offset_ < text.size(); ++offset_) {
         const char c = text[offset_];
@@ -52,7 +52,7 @@ void Lexer::skip_blanks_and_comments() noexcept {
 
 Token Lexer::scan() {
     skip_blanks_and_comments();
-    const std::string_view text = source_->text;
+    const std::string_view text = source_->text();
     const SourcePlace place{source_, offset_};
     if (offset_ == text.size()) return {TokenKind::end, {}, place};
 
@@ -67,7 +67,7 @@ Token Lexer::scan() {
 }
 
 Token Lexer::scan_string() {
-    const std::string_view text = source_->text;
+    const std::string_view text = source_->text();
     const SourcePlace place{source_, offset_};
     for (std::size_t i = offset_ + 1; i < text.size() && text[i] != '\n' && text[i] != '\r'; ++i) {
         if (text[i] == '"') {

@@ -17,20 +17,19 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kMostFloat = std::numeric_limits<float>::max();
 
-Spectrum light_spectrum(const ParameterList& list, std::string_view name, SpectrumReader& spectra) {
-    const SceneParameter* const parameter = find_parameter(list, name);
-    return parameter == nullptr ? default_light_spectrum() : spectra.light(*parameter);
-}
-
 /// \throws SceneError if the scale is too large for the renderer's single precision.
 void check_scale(const ScaledSpectrum& light, const SourcePlace& place) {
     if (light.scale <= kMostFloat) return;
     throw SceneError(place, fmt::format("a light scaled by {:g}", light.scale), "one that single precision holds");
 }
 
-ScaledSpectrum checked_absolute(Spectrum spectrum, double photometric_scale, const SourcePlace& place) {
-    ScaledSpectrum light = absolute(std::move(spectrum), photometric_scale);
-    check_scale(light, place);
+/// The list's spectrum `name`, or the default, brought to a photometric value.
+ScaledSpectrum scaled_light(const ParameterList& list, std::string_view name, double photometric_value,
+                            SpectrumReader& spectra) {
+    const SceneParameter* const parameter = find_parameter(list, name);
+    ScaledSpectrum light = parameter == nullptr ? spectra.default_light() : spectra.light(*parameter);
+    light.scale *= photometric_value;
+    check_scale(light, list.place);
     return light;
 }
 
@@ -43,7 +42,7 @@ Light read_point_light(const ParameterList& list, const Imath::M44d& ctm, Spectr
         throw SceneError(list.place, fmt::format("a light at ({}, {}, {})", position.x, position.y, position.z),
                          "coordinates that single precision holds");
     }
-    return PointLight{position, checked_absolute(light_spectrum(list, "I", spectra), intensity_cd, list.place)};
+    return PointLight{position, scaled_light(list, "I", intensity_cd, spectra)};
 }
 
 Light read_distant_light(const ParameterList& list, const Imath::M44d& ctm, SpectrumReader& spectra) {
@@ -56,14 +55,13 @@ Light read_distant_light(const ParameterList& list, const Imath::M44d& ctm, Spec
         throw SceneError(list.place, R"(a distant light whose "from" and "to" give no direction)",
                          "two points apart from each other");
     }
-    return DistantLight{to_light / length,
-                        checked_absolute(light_spectrum(list, "L", spectra), illuminance_lx, list.place)};
+    return DistantLight{to_light / length, scaled_light(list, "L", illuminance_lx, spectra)};
 }
 
 Light read_infinite_light(const ParameterList& list, const Imath::M44d&, SpectrumReader& spectra) {
     double luminance_cdm2 = real_or(list, "scale", 1.0);
     if (find_parameter(list, "illuminance") != nullptr) luminance_cdm2 *= real_or(list, "illuminance", 0.0) / kPi;
-    return UniformInfiniteLight{checked_absolute(light_spectrum(list, "L", spectra), luminance_cdm2, list.place)};
+    return UniformInfiniteLight{scaled_light(list, "L", luminance_cdm2, spectra)};
 }
 
 struct LightReader {
@@ -84,7 +82,7 @@ Light read_light(const ParameterList& list, const Imath::M44d& world_from_object
 AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spectra) {
     check_parameters(area_light_table(), list);
     AreaLightSource source;
-    source.radiance = checked_absolute(light_spectrum(list, "L", spectra), real_or(list, "scale", 1.0), list.place);
+    source.radiance = scaled_light(list, "L", real_or(list, "scale", 1.0), spectra);
     if (find_parameter(list, "power") != nullptr) source.power_lm = real_or(list, "power", 0.0);
     source.two_sided = flag_or(list, "twosided", Flag::off) == Flag::on;
     source.place = list.place;

@@ -1,9 +1,9 @@
 #include "pathtracer/scene_parameters.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -131,14 +131,14 @@ SceneParameter declare(const Token& token, TokenType& token_type) {
 
 std::vector<SceneParameter> read_parameters(Lexer& lexer) {
     std::vector<SceneParameter> parameters;
+    std::map<std::string, SourcePlace> seen;
     while (lexer.peek().kind == TokenKind::string) {
         TokenType type{};
         SceneParameter parameter = declare(lexer.next(), type);
-        const auto same_name = [&](const SceneParameter& earlier) { return earlier.name == parameter.name; };
-        const auto earlier = std::find_if(parameters.begin(), parameters.end(), same_name);
-        if (earlier != parameters.end()) {
+        const auto [earlier, first] = seen.try_emplace(parameter.name, parameter.place);
+        if (!first) {
             throw SceneError(parameter.place, "a second parameter " + quote(parameter.name),
-                             "each only once (the first is at " + to_text(earlier->place) + ")");
+                             "each only once (the first is at " + to_text(earlier->second) + ")");
         }
         read_values(lexer, parameter, type);
         parameters.push_back(std::move(parameter));

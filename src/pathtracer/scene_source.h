@@ -1,19 +1,31 @@
 #pragma once
-// Places in scene text, and the error that names one. A place is a file and a byte offset; line and column are worked
-// out only when somebody asks, so that tokens stay small. Lines and columns count from 1, columns in bytes.
+// Places in scene text, and the error that names one. A place is a file and a byte offset; line and column are looked
+// up only when somebody asks, so that tokens stay small. Lines and columns count from 1, columns in bytes.
 
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace emulsion {
 
 /// The text of one file; outlived by nothing that points into it. One scene may consist of several.
-struct SourceText {
-    std::filesystem::path name;  ///< as it is shown in messages
-    std::string_view text;
+class SourceText {
+  public:
+    /// `name` is shown in messages. The text is not copied.
+    SourceText(std::filesystem::path name, std::string_view text);
+
+    [[nodiscard]] const std::filesystem::path& name() const noexcept { return name_; }
+    [[nodiscard]] std::string_view text() const noexcept { return text_; }
+    /// Byte offsets of the starts of lines, the first of them 0. Lines end with \n, \r\n or \r.
+    [[nodiscard]] const std::vector<std::size_t>& lines() const noexcept { return lines_; }
+
+  private:
+    std::filesystem::path name_;
+    std::string_view text_;
+    std::vector<std::size_t> lines_;
 };
 
 struct SourcePlace {
@@ -26,7 +38,6 @@ struct LineColumn {
     bool operator==(const LineColumn&) const = default;
 };
 
-/// Lines end with \n, \r\n or \r.
 [[nodiscard]] LineColumn line_and_column(const SourcePlace& place) noexcept;
 
 /// "file:line:column".

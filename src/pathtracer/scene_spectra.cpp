@@ -139,6 +139,9 @@ Spectrum spectrum_of(const SceneParameter& parameter, const std::filesystem::pat
     return spectrum_of_pairs(numbers, bounds, [&](std::size_t i) { return place_of_value(parameter, i); });
 }
 
+/// What brings a light's spectrum to the photometric value 1, as pbrt-v4 does.
+double unit_scale(const Spectrum& spectrum) { return 1.0 / (kLuminousEfficacy * light_normalisation(spectrum)); }
+
 }  // namespace
 
 const RgbUplift& SpectrumReader::uplift() {
@@ -151,22 +154,24 @@ Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
     return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
-Spectrum SpectrumReader::light(const SceneParameter& parameter) {
-    if (parameter.type == DeclaredType::rgb) return uplift().light(rgb_of(parameter, kLightBounds));
-    Spectrum spectrum = spectrum_of(parameter, folder_, kLightBounds);
-    const double normalisation = light_normalisation(spectrum);
-    if (!(normalisation > 0.0) || !std::isfinite(1.0 / normalisation)) {
+ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
+    Spectrum spectrum = parameter.type == DeclaredType::rgb ? Spectrum(uplift().light(rgb_of(parameter, kLightBounds)))
+                                                            : spectrum_of(parameter, folder_, kLightBounds);
+    const double scale = unit_scale(spectrum);
+    if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",
                          "one whose luminance is above 0 and finite");
     }
-    return spectrum;
+    return {std::move(spectrum), scale};
 }
 
-Spectrum default_light_spectrum() { return named_spectrum("stdillum-D65").value(); }
-
-ScaledSpectrum absolute(Spectrum spectrum, double photometric_scale) {
-    const double scale = photometric_scale / (kLuminousEfficacy * light_normalisation(spectrum));
-    return {std::move(spectrum), scale};
+const ScaledSpectrum& SpectrumReader::default_light() {
+    if (!default_light_) {
+        Spectrum spectrum = named_spectrum("stdillum-D65").value();
+        const double scale = unit_scale(spectrum);
+        default_light_.emplace(ScaledSpectrum{std::move(spectrum), scale});
+    }
+    return *default_light_;
 }
 
 }  // namespace emulsion

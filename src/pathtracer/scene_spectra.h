@@ -27,22 +27,21 @@ class SpectrumReader {
     /// colours, and clamps tabulated values without a word).
     [[nodiscard]] Spectrum reflectance(const SceneParameter& parameter);
 
-    /// The spectrum of a light; relative, see absolute().
+    /// The spectrum of a light in absolute units, scaled to a luminance of 1 cd/m^2, an intensity of 1 cd or an
+    /// illuminance of 1 lux; that of an RGB light would be so were it white.
     /// \throws SceneError if it is malformed, unknown, negative anywhere, or 0 wherever it could be seen.
-    [[nodiscard]] Spectrum light(const SceneParameter& parameter);
+    [[nodiscard]] ScaledSpectrum light(const SceneParameter& parameter);
+
+    /// The same of lights that have no such parameter: "stdillum-D65".
+    [[nodiscard]] const ScaledSpectrum& default_light();
 
   private:
     [[nodiscard]] const RgbUplift& uplift();
 
     std::filesystem::path folder_;
-    std::optional<RgbUplift> uplift_;  // made for the first RGB colour
+    // Both are made when they are first asked for.
+    std::optional<RgbUplift> uplift_;
+    std::optional<ScaledSpectrum> default_light_;
 };
-
-/// The default of lights: "stdillum-D65".
-[[nodiscard]] Spectrum default_light_spectrum();
-
-/// The spectrum of a light in absolute units: `photometric_scale` is its luminance in cd/m^2, intensity in cd or
-/// illuminance in lux; those of an RGB light if it were white.
-[[nodiscard]] ScaledSpectrum absolute(Spectrum spectrum, double photometric_scale);
 
 }  // namespace emulsion

@@ -163,6 +163,29 @@ TEST(SceneFuzz, RandomBytes) {
     EXPECT_EQ(outcome_of("# " + bytes), Outcome::error);
 }
 
+/// `item` again and again, "@" replaced by its number.
+std::string repeated(const std::string& item, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        const std::size_t at = item.find('@');
+        text += at == std::string::npos ? item : item.substr(0, at) + std::to_string(i) + item.substr(at + 1);
+    }
+    return text;
+}
+
+TEST(SceneFuzz, ManyOfAKindTakeNoLongerEach) {
+    // Seconds in all; minutes, were any of these quadratic.
+    constexpr int kMany = 100000;
+    const std::string flat = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 1 1 2 2 2]\n";
+    EXPECT_EQ(testing::parse_world(repeated(flat, kMany)).warnings.size(), kMany + 1u);
+    EXPECT_EQ(testing::parse(repeated("Film \"rgb\" ", kMany) + "WorldBegin").warnings.size(), std::size_t{kMany});
+    EXPECT_EQ(outcome_of("Camera \"perspective\" " + repeated("\"float p@\" 1 ", kMany)), Outcome::error);
+    EXPECT_EQ(outcome_of("WorldBegin " + repeated("NamedMaterial \"m@\" ", kMany)), Outcome::error);
+    const std::string make = "MakeNamedMaterial \"m@\" \"string type\" \"diffuse\" ";
+    EXPECT_EQ(outcome_of("WorldBegin NamedMaterial \"x\" " + repeated(make, kMany)), Outcome::error);
+    EXPECT_EQ(testing::parse_world(repeated("LightSource \"point\" ", kMany)).lights.size(), std::size_t{kMany});
+}
+
 TEST(SceneFuzz, HugeTokens) {
     const std::string letters(10 << 20, 'x'), digits(10 << 20, '1'), brackets(10 << 20, '[');
     EXPECT_EQ(outcome_of(letters), Outcome::error);

@@ -15,7 +15,6 @@ namespace {
 
 using testing::error_of;
 using testing::parse;
-using testing::world_error_of;
 
 struct BadText {
     std::string text, message;
