@@ -51,6 +51,7 @@ using EmitterGeometry = std::variant<TriangleEmitter, SphereEmitter, PointEmitte
 struct Emitter {
     EmitterGeometry geometry;
     std::uint32_t spectrum = 0;          ///< which table of the prepared scene
+    float scale = 1.0f;                  ///< of the spectrum
     float selection_probability = 0.0f;  ///< with which EmitterPicker picks it
 };
 

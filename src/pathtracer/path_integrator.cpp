@@ -110,7 +110,7 @@ void PathIntegrator<N>::add_emission(Path<N>& path, const Emitter& emitter, cons
                                         point.geometric_normal);
         weight = power_heuristic(path.direction_pdf, emitter.selection_probability * pdf);
     }
-    path.radiance += path.throughput * scene_.spectrum(emitter.spectrum).at(path.index) * weight;
+    path.radiance += path.throughput * scene_.spectrum(emitter.spectrum).at(path.index) * (weight * emitter.scale);
 }
 
 template <int N>
@@ -124,7 +124,7 @@ void PathIntegrator<N>::sample_light(Path<N>& path, std::uint32_t path_index, co
 
     // Lights without extent are found in this way alone; the others also by chance, and share the weight.
     const float selection = emitter.selection_probability;
-    float factor = light.scale * cosine * kInvPi / selection;
+    float factor = light.scale * emitter.scale * cosine * kInvPi / selection;
     if (light.pdf > 0.0f) factor *= power_heuristic(selection * light.pdf, cosine * kInvPi) / light.pdf;
     const SampledSpectrum<N> radiance =
         path.throughput * reflectance * scene_.spectrum(emitter.spectrum).at(path.index) * factor;

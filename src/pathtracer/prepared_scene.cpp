@@ -75,8 +75,9 @@ void PreparedScene::add_shape(const Shape& shape, LightPowers& powers) {
         if (prepared.mesh != nullptr) {
             for (std::uint32_t i = 0; i < prepared.mesh->triangle.size(); ++i) {
                 const TriangleGeometry triangle(*prepared.mesh, i);
-                emitters_.push_back({TriangleEmitter{triangle, light.two_sided}, radiance});
-                powers.emitter.push_back(exitance * static_cast<double>(triangle.area));
+                const float scale = light.triangle_scale.empty() ? 1.0f : light.triangle_scale.at(i);
+                emitters_.push_back({TriangleEmitter{triangle, light.two_sided}, radiance, scale});
+                powers.emitter.push_back(exitance * static_cast<double>(scale) * static_cast<double>(triangle.area));
             }
         } else {
             // Of an ellipsoid, the area of the sphere of the same volume: good enough to pick by.

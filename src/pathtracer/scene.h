@@ -66,6 +66,7 @@ struct Sphere {
 struct AreaLight {
     ScaledSpectrum radiance;
     bool two_sided = false;
+    std::vector<float> triangle_scale = {};  ///< of a mesh: triangle i emits this times `radiance`; empty: 1 for all
 };
 
 struct Shape {

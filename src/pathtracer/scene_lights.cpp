@@ -89,10 +89,18 @@ AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spect
     return source;
 }
 
-AreaLight light_of_shape(const AreaLightSource& source, double world_area) {
-    AreaLight light{source.radiance, source.two_sided};
-    if (source.power_lm) light.radiance.scale *= *source.power_lm / (kPi * world_area * (source.two_sided ? 2.0 : 1.0));
-    check_scale(light.radiance, source.place);
+AreaLight light_of_shape(const AreaLightSource& source, std::span<const double> light_areas) {
+    AreaLight light{source.radiance, source.two_sided, {}};
+    if (!source.power_lm) return light;
+    // The first light sets the radiance, the others have theirs relative to it.
+    const double first_area = light_areas.front();
+    light.radiance.scale *= *source.power_lm / (kPi * first_area * (source.two_sided ? 2.0 : 1.0));
+    ScaledSpectrum brightest = light.radiance;
+    for (const double area : light_areas) {
+        light.triangle_scale.push_back(static_cast<float>(first_area / area));
+        brightest.scale = std::max(brightest.scale, light.radiance.scale * first_area / area);
+    }
+    check_scale(brightest, source.place);
     return light;
 }
 

@@ -4,6 +4,7 @@
 // spectrum as such or an RGB light that is white. `power` in lumen and `illuminance` in lux multiply with it.
 
 #include <optional>
+#include <span>
 
 #include <Imath/ImathMatrix.h>
 
@@ -20,16 +21,16 @@ namespace emulsion {
 /// What an AreaLightSource says about the shapes that follow it.
 struct AreaLightSource {
     ScaledSpectrum radiance;         ///< W m^-2 sr^-1 nm^-1
-    std::optional<double> power_lm;  ///< of each shape as a whole; `radiance` is then per lm/(m^2 sr) of it
+    std::optional<double> power_lm;  ///< of each light; `radiance` is then per lm/(m^2 sr) of it
     bool two_sided = false;
     SourcePlace place;
 };
 
 [[nodiscard]] AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spectra);
 
-/// The light of one shape. A given power is spread over its `world_area`, on both sides if two-sided. (pbrt-v4 gives
-/// each triangle of a mesh that power for itself, and takes a sphere's area before it is transformed.)
+/// The light of one shape. A given power is spread over each of its `light_areas`, on both sides if two-sided: see
+/// ReadShape for what pbrt-v4 takes for one light.
 /// \throws SceneError if the radiance overflows.
-[[nodiscard]] AreaLight light_of_shape(const AreaLightSource& source, double world_area);
+[[nodiscard]] AreaLight light_of_shape(const AreaLightSource& source, std::span<const double> light_areas);
 
 }  // namespace emulsion

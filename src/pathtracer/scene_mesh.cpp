@@ -97,6 +97,12 @@ std::vector<std::array<std::uint32_t, Corners>> read_faces(const ParameterList& 
     return faces;
 }
 
+/// The cross product of two edges, (p1 - p0) x (p2 - p0): twice the area long.
+Imath::V3d edge_cross(const TriangleMesh& mesh, const Triangle& triangle) noexcept {
+    const Imath::V3d p0(mesh.position[triangle[0]]);
+    return (Imath::V3d(mesh.position[triangle[1]]) - p0).cross(Imath::V3d(mesh.position[triangle[2]]) - p0);
+}
+
 /// Winds the triangle so that its edges' cross product is on the side of the corners' normals.
 Triangle wound_by_normals(const TriangleMesh& mesh, Triangle triangle) noexcept {
     if (mesh.normal.empty()) return triangle;
@@ -106,12 +112,20 @@ Triangle wound_by_normals(const TriangleMesh& mesh, Triangle triangle) noexcept 
     return triangle;
 }
 
-std::optional<Geometry> finish_mesh(TriangleMesh mesh, const std::vector<Triangle>& triangles,
-                                    const ParameterList& list, std::vector<std::string>& warnings) {
+/// Leaves out triangles without area. `face_size` triangles in a row are one face of the file.
+std::optional<ReadShape> finish_mesh(TriangleMesh mesh, const std::vector<Triangle>& triangles, std::size_t face_size,
+                                     const ParameterList& list, std::vector<std::string>& warnings) {
+    std::vector<double> light_areas;
     mesh.triangle.reserve(triangles.size());
-    for (const Triangle& triangle : triangles) {
-        const Imath::V3d cross = edge_cross(mesh, triangle);
-        if (cross.dot(cross) > 0.0) mesh.triangle.push_back(wound_by_normals(mesh, triangle));
+    light_areas.reserve(triangles.size());
+    for (std::size_t face = 0; face < triangles.size(); face += face_size) {
+        double face_area = 0.0;
+        for (std::size_t i = face; i < face + face_size; ++i) {
+            const double area = 0.5 * edge_cross(mesh, triangles[i]).length();
+            face_area += area;
+            if (area > 0.0) mesh.triangle.push_back(wound_by_normals(mesh, triangles[i]));
+        }
+        light_areas.resize(mesh.triangle.size(), face_area);
     }
     const std::size_t dropped = triangles.size() - mesh.triangle.size();
     if (dropped > 0) {
@@ -119,7 +133,7 @@ std::optional<Geometry> finish_mesh(TriangleMesh mesh, const std::vector<Triangl
                                        triangles.size()));
     }
     if (mesh.triangle.empty()) return std::nullopt;
-    return mesh;
+    return ReadShape{std::move(mesh), std::move(light_areas)};
 }
 
 /// Whether the four corners lie in one plane, to 1e-5 of the longer diagonal.
@@ -158,20 +172,15 @@ void check_patch(const TriangleMesh& mesh, const Patch& patch, std::size_t numbe
 
 }  // namespace
 
-Imath::V3d edge_cross(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) noexcept {
-    const Imath::V3d p0(mesh.position[triangle[0]]);
-    return (Imath::V3d(mesh.position[triangle[1]]) - p0).cross(Imath::V3d(mesh.position[triangle[2]]) - p0);
-}
-
-std::optional<Geometry> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                           std::vector<std::string>& warnings) {
+std::optional<ReadShape> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame,
+                                            std::vector<std::string>& warnings) {
     TriangleMesh mesh = read_vertices(list, frame);
     const std::vector<Triangle> triangles = read_faces<3>(list, mesh.position.size());
-    return finish_mesh(std::move(mesh), triangles, list, warnings);
+    return finish_mesh(std::move(mesh), triangles, 1, list, warnings);
 }
 
-std::optional<Geometry> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                           std::vector<std::string>& warnings) {
+std::optional<ReadShape> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame,
+                                            std::vector<std::string>& warnings) {
     TriangleMesh mesh = read_vertices(list, frame);
     const std::vector<Patch> patches = read_faces<4>(list, mesh.position.size());
     std::vector<Triangle> triangles;
@@ -182,7 +191,7 @@ std::optional<Geometry> read_bilinear_mesh(const ParameterList& list, const Shap
         triangles.push_back({p00, p10, p11});
         triangles.push_back({p00, p11, p01});
     }
-    return finish_mesh(std::move(mesh), triangles, list, warnings);
+    return finish_mesh(std::move(mesh), triangles, 2, list, warnings);
 }
 
 }  // namespace emulsion

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nearest_name.h"
 #include "pathtracer/scene_source.h"
 
 namespace emulsion {
@@ -20,9 +21,6 @@ struct KnownName {
     std::string_view name;
     Support support = Support::here;
 };
-
-/// The known name with the fewest letters to change; empty if there are none, or `name` is beyond any likeness.
-[[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 /// " (nearest known name: "sphere")"; the list of names if none is near and they are few; else nothing.
 [[nodiscard]] std::string nearest_hint(std::string_view name, std::span<const std::string_view> known);

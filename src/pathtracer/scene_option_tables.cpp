@@ -110,7 +110,8 @@ constexpr ImplementationTable kFilterTable = {"pixel filter", kFilters};
 
 // --- Integrator
 
-// How lights are picked changes the noise, not the picture; ours is by power.
+// How lights are picked changes the noise, not the picture; ours is half by power, half in equal shares to all
+// lights.
 constexpr auto kLightSamplers = std::to_array<KnownName>({{"bvh"}, {"uniform"}, {"power"}, {"exhaustive"}});
 constexpr auto kPath = std::to_array<ParameterSpec>({
     {.name = "maxdepth", .kind = integer, .range = not_negative},

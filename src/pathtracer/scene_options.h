@@ -26,7 +26,8 @@ void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure
 void read_sampler(const ParameterList& list, Sampler& sampler, int& seed);
 [[nodiscard]] Filter read_filter(const ParameterList& list);
 
-/// "lightsampler" is read and has no effect: how lights are picked (here: by power) changes the noise, not the picture.
+/// "lightsampler" is read and has no effect: how lights are picked (here: half by power, half in equal shares to all
+/// lights) changes the noise, not the picture.
 [[nodiscard]] PathIntegratorSettings read_integrator(const ParameterList& list);
 
 }  // namespace emulsion

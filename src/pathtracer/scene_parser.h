@@ -6,10 +6,11 @@
 //     element     = "AttributeBegin" { element | transform } "AttributeEnd" | "ReverseOrientation"
 //                 | ( "Shape" | "Material" | "LightSource" | "AreaLightSource" | "MakeNamedMaterial" ) named
 //                 | "NamedMaterial" string
-//     transform   = "Identity" | ( "Translate" | "Scale" ) numbers(3) | "Rotate" numbers(4)       angle in degrees,
-//     axis
-//                 | "LookAt" numbers(9)                                                           eye, look, up
-//                 | ( "Transform" | "ConcatTransform" ) numbers(16)                               column by column
+//     transform   = "Identity"
+//                 | ( "Translate" | "Scale" ) numbers(3)
+//                 | "Rotate" numbers(4)                             angle in degrees, axis
+//                 | "LookAt" numbers(9)                             eye, look, up
+//                 | ( "Transform" | "ConcatTransform" ) numbers(16) column by column
 //     named       = string { parameter }
 //     parameter   = declaration ( value | "[" value { value } "]" )
 //     declaration = string of a type and a name: "float fov"

@@ -27,15 +27,20 @@ struct ShapeFrame {
 
 using Geometry = std::variant<TriangleMesh, Sphere>;
 
+struct ReadShape {
+    Geometry geometry;
+    /// Of each triangle, or of the sphere: the area over which an AreaLightSource spreads its `power`. As in pbrt-v4 a
+    /// triangle or a bilinear patch is a light of its own with all of the power, so that a mesh of n triangles gives n
+    /// times as much; and the area of a sphere is taken before the transformation.
+    std::vector<double> light_areas;
+};
+
 /// Triangles without area are left out and counted in a warning; if none is left, the shape is unset.
 ///
 /// A bilinear patch becomes two triangles: it must be flat (to 1e-5 of its diagonal) and convex. Texture coordinates
 /// and tangents (uv, S) are checked, and dropped: nothing here depends on them. \throws SceneError naming the token at
 /// fault.
-[[nodiscard]] std::optional<Geometry> read_shape(const ParameterList& list, const ShapeFrame& frame,
-                                                 std::vector<std::string>& warnings);
-
-/// Area in world space.
-[[nodiscard]] double world_area(const Geometry& geometry);
+[[nodiscard]] std::optional<ReadShape> read_shape(const ParameterList& list, const ShapeFrame& frame,
+                                                  std::vector<std::string>& warnings);
 
 }  // namespace emulsion

@@ -98,6 +98,22 @@ TEST_P(Irradiance, AreaLightIsDarkFromBehindUnlessTwoSided) {
     expect_irradiance(scene, 0.0f, 0.0f, reflectance_, emission_, kPi * form_factor);
 }
 
+TEST_P(Irradiance, TrianglesOfOneMeshMayDifferInRadiance) {
+    Scene both = rectangle_scene(reflectance_, emission_), first = both;
+    both.shapes[1].area_light->triangle_scale = {1.0f, 0.25f};
+    first.shapes[1].area_light->triangle_scale = {1.0f, 0.0f};
+    Scene second = first;
+    second.shapes[1].area_light->triangle_scale = {0.0f, 1.0f};
+    const auto mixed = estimate_radiance(both, towards_floor(0, 0), 40000, GetParam());
+    const auto one = estimate_radiance(first, towards_floor(0, 0), 40000, GetParam(), 2);
+    const auto other = estimate_radiance(second, towards_floor(0, 0), 40000, GetParam(), 3);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double error = std::hypot(mixed.standard_error[i], one.standard_error[i], 0.25 * other.standard_error[i]);
+        EXPECT_NEAR(mixed.mean[i], one.mean[i] + 0.25 * other.mean[i], 4.0 * error);
+        EXPECT_GT(one.mean[i], 0.0);
+    }
+}
+
 TEST_P(Irradiance, SphericalAreaLightIsThatOfItsSolidAngle) {
     for (const double stretch : {1.0, 1.0 + 1e-6}) {  // the second is no similarity: sampled by area
         Scene scene = floor_scene(reflectance_);
