@@ -2,11 +2,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/error.h"
@@ -15,29 +17,55 @@ namespace emulsion {
 
 namespace {
 
-std::string reason_of_errno() { return std::generic_category().message(errno); }
+constexpr ::mode_t kPermissionBits = 0777;  // a plain write would clear the others, as set-user-id
 
-/// The file that will be replaced: `path`, or what it points to if it is a symbolic link.
+/// `path`, or what it points to if it is a symbolic link, whether that is there or not.
+std::filesystem::path link_target(std::filesystem::path path) {
+    constexpr int kMaxLinks = 40;  // as Linux
+    const std::filesystem::path named = path;
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++links) {
+        if (links == kMaxLinks) throw IoError(named, "cannot be looked up: " + errno_text(ELOOP));
+        // A relative link starts from its own folder; an absolute one replaces it.
+        path = path.parent_path() / std::filesystem::read_symlink(path, error);
+        if (error) throw IoError(named, "cannot be looked up: " + error.message());
+    }
+    return path;
+}
+
+/// The file that will be replaced, or created: `path`, or what it points to.
 /// \throws IoError if what is there can't be, or may not be, replaced by a file.
 std::filesystem::path replaceable_target(const std::filesystem::path& path) {
     if (!path.has_filename()) throw IoError(path, "not a file name");
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found) return path;
+    if (status.type() == std::filesystem::file_type::not_found) {
+        std::filesystem::path target = link_target(path);
+        if (!target.has_filename()) throw IoError(path, "points to a folder");
+        return target;
+    }
     if (!std::filesystem::status_known(status)) throw IoError(path, "cannot be looked up: " + error.message());
     if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder");
     // A rename would put a plain file in the place of /dev/null.
     if (!std::filesystem::is_regular_file(status)) throw IoError(path, "is a device or a pipe, expected a file");
     // A rename asks only the folder; a file that is itself protected shall stay.
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
-        throw IoError(path, "cannot be replaced: " + reason_of_errno());
+        throw IoError(path, "cannot be replaced: " + errno_text(errno));
     std::filesystem::path target = std::filesystem::canonical(path, error);
     if (error) throw IoError(path, "cannot be looked up: " + error.message());
     return target;
 }
 
+/// Those of the file that will be replaced; none if there is no such file.
+std::optional<::mode_t> permissions_of(const std::filesystem::path& target) {
+    struct stat status {};
+    if (::stat(target.c_str(), &status) != 0) return std::nullopt;
+    return status.st_mode & kPermissionBits;
+}
+
 /// Creates a new, empty file beside `target`, with a name that no other process or thread has, and returns its path.
-std::filesystem::path create_beside(const std::filesystem::path& target, const std::filesystem::path& named) {
+std::filesystem::path create_beside(const std::filesystem::path& target, ::mode_t permissions,
+                                    const std::filesystem::path& named) {
     static std::atomic<unsigned> counter{0};
     // The temporary name must fit where the name itself does.
     constexpr std::size_t kKeptOfName = 64;
@@ -45,43 +73,59 @@ std::filesystem::path create_beside(const std::filesystem::path& target, const s
     for (;;) {
         const std::string unique = std::to_string(::getpid()) + "." + std::to_string(counter++);
         std::filesystem::path candidate = target.parent_path() / (stem + unique + ".tmp");
-        const int descriptor = ::open(candidate.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+        const int descriptor = ::open(candidate.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
         if (descriptor >= 0) {
             ::close(descriptor);
             return candidate;
         }
-        if (errno != EEXIST) throw IoError(named, "cannot create a file in its folder: " + reason_of_errno());
+        if (errno != EEXIST) throw IoError(named, "cannot create a file in its folder: " + errno_text(errno));
     }
 }
 
-void sync_to_disk(const std::filesystem::path& file, const std::filesystem::path& named) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw IoError(named, "cannot reopen the temporary file: " + reason_of_errno());
-    const bool synced = ::fsync(descriptor) == 0;
-    const std::string reason = synced ? "" : reason_of_errno();
-    ::close(descriptor);
-    if (!synced) throw IoError(named, "cannot write to disk: " + reason);
+/// Gives the file its permissions, if any are asked for, and forces it to disk. 0, or what failed as an errno.
+int finish_file(int descriptor, const std::optional<::mode_t>& permissions) {
+    if (permissions) {
+        struct stat status {};
+        if (::fstat(descriptor, &status) != 0) return errno;
+        // Asked only where needed: some file systems have one set of permissions for all files, and refuse.
+        const bool as_asked = (status.st_mode & kPermissionBits) == *permissions;
+        if (!as_asked && ::fchmod(descriptor, *permissions) != 0) return errno;
+    }
+    return ::fsync(descriptor) == 0 ? 0 : errno;
 }
 
 }  // namespace
 
+// Until it is whole, nobody else may read what replaces a file that others perhaps may not read.
 AtomicFile::AtomicFile(std::filesystem::path path)
     : path_(std::move(path)),
       target_path_(replaceable_target(path_)),
-      temporary_path_(create_beside(target_path_, path_)) {}
+      old_permissions_(permissions_of(target_path_)),
+      temporary_path_(create_beside(target_path_, old_permissions_ ? 0600 : 0666, path_)) {}
 
 AtomicFile::~AtomicFile() {
     if (!committed_) ::unlink(temporary_path_.c_str());
 }
 
 void AtomicFile::commit() {
-    sync_to_disk(temporary_path_, path_);
+    const int descriptor = ::open(temporary_path_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw IoError(path_, "cannot reopen the temporary file: " + errno_text(errno));
+    const int error = finish_file(descriptor, old_permissions_);
+    ::close(descriptor);
+    if (error != 0) throw IoError(path_, "cannot write to disk: " + errno_text(error));
     if (::rename(temporary_path_.c_str(), target_path_.c_str()) != 0) {
-        throw IoError(path_, "cannot rename the temporary file: " + reason_of_errno());
+        throw IoError(path_, "cannot rename the temporary file: " + errno_text(errno));
     }
     committed_ = true;
 }
 
 void check_writable(const std::filesystem::path& path) { const AtomicFile probe(path); }
+
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto place = [](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(link_target(path)));
+    };
+    return place(a) == place(b);
+}
 
 }  // namespace emulsion

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace emulsion {
@@ -21,5 +22,8 @@ class IoError : public std::runtime_error {
     std::filesystem::path path_;
     std::string reason_;
 };
+
+/// What an `errno` says, "No such file or directory": for the reason of an IoError.
+[[nodiscard]] inline std::string errno_text(int error_number) { return std::generic_category().message(error_number); }
 
 }  // namespace emulsion

@@ -10,7 +10,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include <png.h>
 
@@ -81,8 +80,6 @@ struct FileCloser {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
 
-std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
-
 bool is_ascii(std::string_view text) noexcept {
     return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
@@ -148,18 +145,18 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const std:
     const std::vector<png_bytep> rows = row_pointers(image);
     WriteState state;
     std::unique_ptr<std::FILE, FileCloser> stream(std::fopen(file.temporary_path().c_str(), "wb"));
-    if (stream == nullptr) throw IoError(file.path(), "cannot open the temporary file: " + reason_of(errno));
+    if (stream == nullptr) throw IoError(file.path(), "cannot open the temporary file: " + errno_text(errno));
     state.file = stream.get();
     {
         const PngWriter writer(state);
         if (!writer.created()) throw IoError(file.path(), "libpng could not be started");
         const bool written = write_chunks(writer.png(), writer.info(), image, text, rows);
-        if (state.write_errno != 0) throw IoError(file.path(), "cannot write: " + reason_of(state.write_errno));
+        if (state.write_errno != 0) throw IoError(file.path(), "cannot write: " + errno_text(state.write_errno));
         if (!written || state.message[0] != '\0') {
             throw IoError(file.path(), std::string("libpng: ") + state.message.data());
         }
     }
-    if (std::fclose(stream.release()) != 0) throw IoError(file.path(), "cannot write: " + reason_of(errno));
+    if (std::fclose(stream.release()) != 0) throw IoError(file.path(), "cannot write: " + errno_text(errno));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "core/error.h"
 
@@ -29,7 +28,7 @@ class HeaderReader {
         if (size_ == 0) fail("is empty, expected an EXR file");
         errno = 0;
         stream_.open(path, std::ios::binary);
-        if (!stream_) fail("cannot open: " + std::generic_category().message(errno));
+        if (!stream_) fail("cannot open: " + errno_text(errno));
     }
 
     [[nodiscard]] std::uint64_t file_size() const noexcept { return size_; }

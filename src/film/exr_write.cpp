@@ -6,7 +6,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -78,7 +77,7 @@ class CheckedOStream : public Imf::OStream {
 
     [[noreturn]] void fail(int error) {
         if (error_ == 0) error_ = error;
-        throw IoError(named_, "cannot write: " + std::generic_category().message(error_));
+        throw IoError(named_, "cannot write: " + errno_text(error_));
     }
     void flush() {
         write_all(buffer_.data(), buffer_.size());

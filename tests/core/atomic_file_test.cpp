@@ -165,6 +165,67 @@ TEST_F(AtomicFileTest, FollowsASymbolicLink) {
     EXPECT_EQ(read(folder() / "elsewhere" / "real.exr"), "new");
 }
 
+TEST_F(AtomicFileTest, CreatesWhatADanglingLinkPointsTo) {
+    fs::create_directory(folder() / "elsewhere");
+    fs::create_symlink("elsewhere/second", folder() / "first");
+    fs::create_symlink(folder() / "elsewhere" / "real.exr", folder() / "elsewhere" / "second");
+    AtomicFile file(folder() / "first");
+    EXPECT_EQ(file.temporary_path().parent_path(), folder() / "elsewhere");
+    write(file.temporary_path(), "new");
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(folder() / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder() / "elsewhere" / "second"));
+    EXPECT_EQ(read(folder() / "elsewhere" / "real.exr"), "new");
+    EXPECT_THAT(names(), ElementsAre("elsewhere", "first"));
+}
+
+TEST_F(AtomicFileTest, RefusesLinksThatLeadNowhere) {
+    fs::create_symlink("b", folder() / "a");
+    fs::create_symlink("a", folder() / "b");
+    EXPECT_THAT([&] { check_writable(folder() / "a"); }, throws_io_error("Too many levels of symbolic links"));
+    fs::create_symlink("missing/a.exr", folder() / "c");
+    EXPECT_THAT([&] { check_writable(folder() / "c"); }, throws_io_error("No such file or directory"));
+    fs::create_symlink("missing/", folder() / "d");
+    EXPECT_THAT([&] { check_writable(folder() / "d"); }, throws_io_error("points to a folder"));
+}
+
+TEST_F(AtomicFileTest, AReplacedFileKeepsItsPermissions) {
+    // Among them one that would keep the writer from reading and one wider than any usual mask.
+    for (const unsigned mode : {0600u, 0640u, 0200u, 0666u, 0755u}) {
+        write(folder() / "a.exr", "old");
+        fs::permissions(folder() / "a.exr", static_cast<fs::perms>(mode));
+        AtomicFile file(folder() / "a.exr");
+        EXPECT_EQ(fs::status(file.temporary_path()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+        write(file.temporary_path(), "new");
+        file.commit();
+        EXPECT_EQ(static_cast<unsigned>(fs::status(folder() / "a.exr").permissions()), mode);
+        fs::permissions(folder() / "a.exr", fs::perms::owner_all);
+        EXPECT_EQ(read(folder() / "a.exr"), "new");
+        fs::remove(folder() / "a.exr");
+    }
+}
+
+TEST_F(AtomicFileTest, KnowsOneFileByItsManyNames) {
+    const fs::path before = fs::current_path();
+    fs::current_path(folder());
+    fs::create_directory("sub");
+    fs::create_directory_symlink("sub", "also");
+    fs::create_symlink("sub/a", "dangling");
+    EXPECT_TRUE(is_same_file("a", "a"));
+    EXPECT_TRUE(is_same_file("a", "./a"));
+    EXPECT_TRUE(is_same_file("a", folder() / "a"));
+    EXPECT_TRUE(is_same_file("a", "sub/../a"));
+    EXPECT_TRUE(is_same_file("sub/a", "also/a"));
+    EXPECT_TRUE(is_same_file("sub/a", "dangling"));
+    EXPECT_FALSE(is_same_file("a", "b"));
+    EXPECT_FALSE(is_same_file("a", "sub/a"));
+    EXPECT_FALSE(is_same_file("a", "dangling"));
+    write("sub/a", "");
+    EXPECT_TRUE(is_same_file("also/a", "dangling"));
+    EXPECT_FALSE(is_same_file("a", "dangling"));
+    fs::current_path(before);
+}
+
 TEST_F(AtomicFileTest, RefusesAFolderAndNamesIt) {
     fs::create_directory(folder() / "sub");
     EXPECT_THAT([&] { const AtomicFile file(folder() / "sub"); }, throws_io_error("is a folder"));
