@@ -1,27 +1,13 @@
 #include "core/named_value.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
+
+#include "core/nearest_name.h"
 
 namespace emulsion {
 
 namespace {
-
-/// Least number of inserted, removed or replaced characters between two words (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> distance(b.size() + 1);
-    std::iota(distance.begin(), distance.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(distance[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = distance[j + 1];
-            distance[j + 1] = std::min({replaced, diagonal + 1, distance[j] + 1});
-        }
-    }
-    return distance[b.size()];
-}
 
 std::string with_kind(std::string_view kind, std::string_view rest) {
     return kind.empty() ? std::string(rest) : std::string(kind) + ' ' + std::string(rest);
@@ -62,7 +48,7 @@ std::string parameter_label(std::string_view kind, std::string_view name, std::s
 
 void throw_unknown_name(std::string_view what, std::string_view name, std::vector<std::string_view> known) {
     std::stable_sort(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
-        return edit_distance(name, a) < edit_distance(name, b);
+        return name_distance(name, a) < name_distance(name, b);
     });
     std::string message = with_kind(what, '"' + std::string(name) + "\": unknown; ");
     if (known.empty()) message += "there are none";

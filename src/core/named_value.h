@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "core/visit.h"
 
 namespace emulsion {
 
@@ -63,17 +64,6 @@ constexpr void for_each_alternative(Visitor&& visitor) {
 
 /// How messages name a parameter: "tonemap reinhard-global: key"; an empty kind is left out.
 [[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
-
-/// As std::visit, for visitors that don't throw: std::visit itself throws if a variant is valueless, which one of plain
-/// values never is.
-template <std::size_t I = 0, NamedVariant Variant, class Visitor>
-decltype(auto) visit_noexcept(Visitor&& visitor, const Variant& variant) noexcept {
-    const auto* alternative = std::get_if<I>(&variant);
-    if constexpr (I + 1 < std::variant_size_v<Variant>) {
-        if (alternative == nullptr) return visit_noexcept<I + 1>(std::forward<Visitor>(visitor), variant);
-    }
-    return std::forward<Visitor>(visitor)(*alternative);
-}
 
 /// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
 /// `kind` is the role of the value, as in parse_named.

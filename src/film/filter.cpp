@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/visit.h"
+
 namespace emulsion {
 
 namespace {
@@ -49,15 +51,6 @@ double eval_inside(const LanczosSincFilter& filter, double offset_px, double) no
     return sinc(offset_px) * sinc(offset_px / static_cast<double>(filter.tau));
 }
 
-/// std::visit, but noexcept: that one may throw for a variant without a value, which these plain structs don't allow.
-template <std::size_t First = 0, class F>
-double visit_filter(const Filter& filter, const F& f) noexcept {
-    if constexpr (First + 1 < std::variant_size_v<Filter>) {
-        if (filter.index() != First) return visit_filter<First + 1>(filter, f);
-    }
-    return f(*std::get_if<First>(&filter));
-}
-
 void require(bool ok, std::string_view filter, std::string_view field, double value, std::string_view expected) {
     if (ok) return;
     throw std::invalid_argument(std::string(filter) + " filter: " + std::string(field) + " is " +
@@ -86,15 +79,15 @@ void validate_shape(const LanczosSincFilter& filter) { require_positive(LanczosS
 }  // namespace
 
 double radius_px(const Filter& filter, FilterAxis axis) noexcept {
-    return visit_filter(filter, [axis](const auto& f) {
-        return static_cast<double>(axis == FilterAxis::x ? f.x_radius_px : f.y_radius_px);
-    });
+    return visit_noexcept(
+        [axis](const auto& f) { return static_cast<double>(axis == FilterAxis::x ? f.x_radius_px : f.y_radius_px); },
+        filter);
 }
 
 double eval(const Filter& filter, FilterAxis axis, double offset_px) noexcept {
     const double radius = radius_px(filter, axis);
     if (!(std::abs(offset_px) < radius)) return 0.0;
-    return visit_filter(filter, [=](const auto& f) { return eval_inside(f, offset_px, radius); });
+    return visit_noexcept([=](const auto& f) { return eval_inside(f, offset_px, radius); }, filter);
 }
 
 void validate(const Filter& filter) {

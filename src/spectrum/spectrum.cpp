@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "core/visit.h"
 #include "spectrum/blackbody.h"
 #include "spectrum/sigmoid.h"
 
@@ -39,18 +40,6 @@ double value_of(const SigmoidSpectrum& spectrum, double lambda_nm) noexcept {
 
 double value_of(const RgbIlluminantSpectrum& spectrum, double lambda_nm) noexcept {
     return spectrum.scale * value_of(spectrum.sigmoid, lambda_nm) * value_of(spectrum.illuminant, lambda_nm);
-}
-
-// std::visit, but noexcept: that one throws for a variant without a value, which an assignment that ran out of memory
-// leaves; here such a spectrum has the value NaN.
-template <std::size_t Index = 0>
-double value_of_alternative(const Spectrum& spectrum, double lambda_nm) noexcept {
-    if constexpr (Index == std::variant_size_v<Spectrum>) {
-        return std::numeric_limits<double>::quiet_NaN();
-    } else {
-        if (const auto* alternative = std::get_if<Index>(&spectrum)) return value_of(*alternative, lambda_nm);
-        return value_of_alternative<Index + 1>(spectrum, lambda_nm);
-    }
 }
 
 // The part of a spectrum that has knots, if any.
@@ -109,7 +98,11 @@ void check(const RgbIlluminantSpectrum& spectrum) {
 
 }  // namespace
 
-double eval(const Spectrum& spectrum, double lambda_nm) noexcept { return value_of_alternative(spectrum, lambda_nm); }
+double eval(const Spectrum& spectrum, double lambda_nm) noexcept {
+    // An assignment that ran out of memory leaves a spectrum without a value.
+    if (spectrum.valueless_by_exception()) return std::numeric_limits<double>::quiet_NaN();
+    return visit_noexcept([lambda_nm](const auto& alternative) { return value_of(alternative, lambda_nm); }, spectrum);
+}
 
 double limit(const Spectrum& spectrum, double lambda_nm, Side side) noexcept {
     const PiecewiseLinearSpectrum* piecewise = piecewise_part(spectrum);
