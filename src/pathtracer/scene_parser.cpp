@@ -1,13 +1,10 @@
 #include "pathtracer/scene_parser.h"
 
 #include <array>
-#include <fstream>
-#include <iterator>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/text_file.h"
 #include "pathtracer/scene_builder.h"
 #include "pathtracer/scene_lexer.h"
 #include "pathtracer/scene_transform.h"
@@ -157,25 +154,9 @@ void check_block(const Token& token, const Directive& directive, SceneBlock bloc
     }
 }
 
-/// The whole content of a file.
-std::string content_of(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto type = std::filesystem::status(path, error).type();
-    using std::filesystem::file_type;
-    if (type == file_type::not_found) throw IoError(path, "no such file");
-    if (type == file_type::directory) throw IoError(path, "is a folder, not a scene file");
-    // Devices may never end.
-    if (type != file_type::regular && type != file_type::fifo) throw IoError(path, "is no file that can be read");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw IoError(path, "can't be opened for reading");
-    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad()) throw IoError(path, "reading failed");
-    return content;
-}
-
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path) { return parse_scene(content_of(path), path); }
+Scene read_scene(const std::filesystem::path& path) { return parse_scene(read_text_file(path), path); }
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
     const SourceText source{name, text};

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.h"
+#include "core/text_file.h"
 #include "core/units.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/named_spectra.h"
@@ -67,13 +67,17 @@ PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path, co
     return spectrum_of_pairs(numbers, bounds, [&](std::size_t i) { return places[i]; });
 }
 
-std::optional<std::string> content_of(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
-    std::ifstream file(path, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) return std::nullopt;
-    return content;
+/// \throws SceneError always: the name is neither known nor that of a file.
+[[noreturn]] void throw_unknown_spectrum(const SourcePlace& place, const std::string& name) {
+    const std::vector<std::string> known = named_spectrum_names();
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    if (is_known_to_pbrt(name)) {
+        throw SceneError(place, "spectrum " + quote(name),
+                         fmt::format("a supported one (known to pbrt-v4 and not yet supported here; supported: {})",
+                                     fmt::join(names, ", ")));
+    }
+    throw SceneError(place, "spectrum " + quote(name),
+                     "a known one, or a file that can be read" + nearest_hint(name, names));
 }
 
 /// A named spectrum, or one from a file.
@@ -88,17 +92,16 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem
         return *named;
     }
     const std::filesystem::path path = folder / name;
-    if (const auto content = content_of(path)) return read_spectrum_file(path, *content, bounds);
-
-    const std::vector<std::string> known = named_spectrum_names();
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    if (is_known_to_pbrt(name)) {
-        throw SceneError(parameter.first_value, "spectrum " + quote(name),
-                         fmt::format("a supported one (known to pbrt-v4 and not yet supported here; supported: {})",
-                                     fmt::join(names, ", ")));
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw_unknown_spectrum(parameter.first_value, name);
+    std::string content;
+    try {
+        content = read_text_file(path);
+    } catch (const IoError& error) {
+        throw SceneError(parameter.first_value, fmt::format("spectrum {} ({})", quote(name), error.reason()),
+                         "a known one, or a file that can be read");
     }
-    throw SceneError(parameter.first_value, "spectrum " + quote(name),
-                     "a known one, or a file that can be read" + nearest_hint(name, names));
+    return read_spectrum_file(path, content, bounds);
 }
 
 /// The three numbers of an rgb parameter.

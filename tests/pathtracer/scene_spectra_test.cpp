@@ -69,7 +69,8 @@ TEST(SceneSpectra, FilesAreFoundBesideTheScene) {
     EXPECT_EQ(error_of_file("none.spd"),
               "x.pbrt:2:43: found spectrum \"none.spd\", expected a known one, or a file that can be read");
     EXPECT_EQ(error_of_file("."),
-              "x.pbrt:2:43: found spectrum \".\", expected a known one, or a file that can be read");
+              "x.pbrt:2:43: found spectrum \".\" (is a folder, not a text file), expected a known one, or a file that "
+              "can be read");
     EXPECT_EQ(
         error_of_file("glass-BK8"),
         "x.pbrt:2:43: found spectrum \"glass-BK8\", expected a known one, or a file that can be read (nearest known "
