@@ -9,7 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/units.h"
+#include "spectrum/colorimetry.h"
 #include "spectrum/data_table.h"
+#include "spectrum/observer.h"
 #include "spectrum/rgb_uplift.h"
 
 namespace emulsion {
@@ -69,6 +72,71 @@ TEST(SpectrumTable, FollowsSmoothSpectra) {
         EXPECT_LE(largest_relative_difference(fit_sigmoid(rgb, space)), 2e-3) << rgb.r << ' ' << rgb.g << ' ' << rgb.b;
         EXPECT_LE(largest_relative_difference(rgb_illuminant(rgb, space)), 2e-3)
             << rgb.r << ' ' << rgb.g << ' ' << rgb.b;
+    }
+}
+
+// Integral of the table times one of the observer's functions: both are straight lines between whole nanometres.
+XYZd xyz_of_table(const SpectrumTable& table) {
+    XYZd sum;
+    for (int lambda_nm = 360; lambda_nm < 830; ++lambda_nm) {
+        // Values at 1/4 and 3/4 give the line; Simpson's rule is exact for the product of two lines.
+        const auto low = static_cast<double>(at(table, lambda_nm + 0.25));
+        const auto high = static_cast<double>(at(table, lambda_nm + 0.75));
+        const double start = 1.5 * low - 0.5 * high, end = 1.5 * high - 0.5 * low;
+        const auto observer = [&](double t) { return eval(cie_1931_2deg(), lambda_nm + t); };
+        sum = sum + (start / 6.0) * observer(0.0) + ((start + end) / 3.0) * observer(0.5) + (end / 6.0) * observer(1.0);
+    }
+    return sum;
+}
+
+TEST(SpectrumTable, LinesBetweenWholeNanometresAreAsBrightAsTheyShouldBe) {
+    for (const double half_width_nm : {1e-4, 0.01, 0.1, 0.3, 0.5, 0.8, 3.3}) {
+        for (double centre_nm = 400.0; centre_nm < 720.0; centre_nm += 3.137) {
+            const Spectrum line = PiecewiseLinearSpectrum{
+                {centre_nm - half_width_nm, centre_nm, centre_nm + half_width_nm}, {0.0, 1.0, 0.0}};
+            const double expected = photometric_integral(line);
+            EXPECT_NEAR(xyz_of_table(SpectrumTable(line, 1.0 / expected)).y, 1.0, 1e-5)
+                << centre_nm << " nm, " << half_width_nm;
+        }
+    }
+}
+
+TEST(SpectrumTable, KnotsBetweenWholeNanometresKeepTheColour) {
+    // Where the line nearest to the spectrum stays between 0 and 1, all three sums are exact; else nearly so.
+    const Spectrum spectrum = PiecewiseLinearSpectrum{{420.3, 480.71, 530.5, 531.2, 590.9, 655.45, 690.1},
+                                                      {0.2, 0.8, 0.3, 0.35, 1.0, 0.1, 0.7}};
+    const XYZd expected = xyz_of_radiance(spectrum), found = kLuminousEfficacy * xyz_of_table(SpectrumTable(spectrum));
+    EXPECT_NEAR(found.x / expected.x, 1.0, 1e-5);
+    EXPECT_NEAR(found.y / expected.y, 1.0, 1e-6);
+    EXPECT_NEAR(found.z / expected.z, 1.0, 1e-5);
+}
+
+TEST(SpectrumTable, FitsTheLineOfLeastSquares) {
+    // With t = 0 at 500 nm: max(3/4, t) has the integral 25/32 and, about 1/2, the first moment 5/384; the line
+    // 25/32 + 12 * 5/384 (t - 1/2) goes from 0.703125 (pulled up to 3/4) to 0.859375.
+    const SpectrumTable pulled(PiecewiseLinearSpectrum{{400.0, 500.75, 510.75}, {0.75, 0.75, 10.75}});
+    EXPECT_NEAR(at(pulled, 500.0), 0.75f, 1e-6f);
+    EXPECT_NEAR(at(pulled, 500.5), 25.0f / 32.0f, 1e-3f);
+    // A roof of height 1 over 499.5 to 501.5 nm with its ridge at 500.25 nm:
+    const double ridge = 0.25, up = 1.0 / 0.75, down = 1.0 / 1.25;
+    const SpectrumTable roof(PiecewiseLinearSpectrum{{499.5, 500.0 + ridge, 501.5}, {0.0, 1.0, 0.0}});
+    // 1 less up * (ridge - t) before the ridge, and less down * (t - ridge) after it. Its own line stays below 1.
+    const double after = 1.0 - ridge;
+    const double mean = 1.0 - 0.5 * (up * ridge * ridge + down * after * after);
+    const double first = -up * ridge * ridge * (ridge / 6.0 - 0.25) - down * after * after * (0.25 - after / 6.0);
+    EXPECT_NEAR(at(roof, 500.0), mean - 6.0 * first, 1e-6);
+    EXPECT_NEAR(at(roof, 500.5), mean, 1e-6);
+    EXPECT_NEAR(at(roof, 500.75), mean + 3.0 * first, 1e-6);
+}
+
+TEST(SpectrumTable, StaysWithinTheRangeOfTheSpectrum) {
+    for (double edge_nm = 500.0; edge_nm < 503.0; edge_nm += 0.0625) {
+        const SpectrumTable edge(
+            PiecewiseLinearSpectrum{{400.0, edge_nm, edge_nm + 0.01, edge_nm + 0.3, 700.0}, {0.0, 0.0, 1.0, 1.0, 1.0}});
+        for (double lambda_nm = 499.0; lambda_nm < 505.0; lambda_nm += 0.03125) {
+            EXPECT_GE(at(edge, lambda_nm), 0.0f) << edge_nm << ' ' << lambda_nm;
+            EXPECT_LE(at(edge, lambda_nm), 1.0f + 1e-7f) << edge_nm << ' ' << lambda_nm;
+        }
     }
 }
 
