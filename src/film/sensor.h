@@ -28,6 +28,7 @@ class Sensor {
     template <int N>
     [[nodiscard]] XYZ to_xyz(const SampledWavelengths<N>& wavelengths,
                              const SampledSpectrum<N>& radiance) const noexcept {
+        static_assert(N <= 4 || N % 4 == 0, "wavelengths are read in fours");
         Float4 sum{};
         for (int first = 0; first < N; first += 4) sum += sum_of_four(wavelengths, radiance, first);
         constexpr float kPerWavelength = 1.0f / static_cast<float>(N);
@@ -61,7 +62,7 @@ class Sensor {
         Float4 start{}, slope{};
     };
 
-    /// The sum over wavelengths first ... first + 3, as far as there are so many.
+    /// The sum over wavelengths first ... first + 3; over all of them if N < 4.
     template <int N>
     [[nodiscard]] Float4 sum_of_four(const SampledWavelengths<N>& wavelengths, const SampledSpectrum<N>& radiance,
                                      int first) const noexcept {
