@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/distinct_files.h"
 #include "cli/messages.h"
 #include "cli/pipeline_options.h"
 #include "core/atomic_file.h"
@@ -32,6 +33,7 @@ DevelopCommand::DevelopCommand(CLI::App& program)
         ->option_text("N");
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(*command_, options.pipeline);
+    command_->final_callback([&options] { require_distinct({{"EXR", options.exr}, {"--output", options.png}}); });
 }
 
 DevelopCommand::~DevelopCommand() = default;
@@ -44,7 +46,7 @@ int DevelopCommand::run() const {
     const FilmImage picture = read_exr(options.exr);
     for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
     develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
-    if (!options.quiet) fmt::print("wrote {}\n", options.png.string());
+    if (!options.quiet) print_output(fmt::format("wrote {}\n", options.png.string()));
     return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 
 #include "cli/develop_command.h"
 #include "cli/messages.h"
@@ -36,6 +37,15 @@ std::string command_line_text(int argc, char** argv) {
     return text;
 }
 
+/// A standard stream that was closed when the program started gives its number to the next file that is opened, and
+/// words would end up in that file. /dev/null takes the number instead; opened for reading, so that words are lost with
+/// an error as before.
+void hold_standard_streams() {
+    for (int i = 0; i < 3; ++i) {
+        if (::fcntl(i, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App program(
         "Emulsion: film and imaging for physically based renderers.\n"
@@ -60,10 +70,15 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // A file that may not grow further is then an error like any other, not the end of the process.
+    // A file that may not grow further, or a pipe that nobody reads, is then an error like any other, not the end of
+    // the process.
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+    hold_standard_streams();
     try {
-        return run(argc, argv);
+        const int exit_code = run(argc, argv);
+        if (exit_code == kDone) flush_output();
+        return exit_code;
     } catch (const std::bad_alloc&) {
         print_error("out of memory");
     } catch (const std::exception& error) {

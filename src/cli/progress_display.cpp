@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "cli/messages.h"
 
 namespace emulsion::cli {
 
@@ -68,12 +69,11 @@ void ProgressDisplay::run(ProgressStyle style, const RenderProgress& progress, s
         const std::int64_t done = progress.samples_done.load();
         if (style == ProgressStyle::bar) {
             // "\033[K" clears what a longer line before has left.
-            fmt::print(stderr, "\r{}\033[K{}", progress_text(done, total_samples, elapsed.count(), kBarWidth),
-                       ended ? "\n" : "");
+            print_progress(fmt::format("\r{}\033[K{}", progress_text(done, total_samples, elapsed.count(), kBarWidth),
+                                       ended ? "\n" : ""));
         } else {
-            fmt::print(stderr, "{}\n", progress_text(done, total_samples, elapsed.count(), 0));
+            print_progress(progress_text(done, total_samples, elapsed.count(), 0) + "\n");
         }
-        std::fflush(stderr);
     }
 }
 

@@ -1,6 +1,5 @@
 #include "cli/render_command.h"
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -10,10 +9,14 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "cli/distinct_files.h"
+#include "cli/loss_warnings.h"
 #include "cli/messages.h"
 #include "cli/pipeline_options.h"
 #include "cli/progress_display.h"
@@ -25,6 +28,7 @@
 #include "pathtracer/render.h"
 #include "pathtracer/sample_sequence.h"
 #include "pathtracer/scene_parser.h"
+#include "spectrum/sampled_spectrum.h"
 
 namespace emulsion::cli {
 
@@ -33,7 +37,7 @@ struct RenderCommand::Options {
     std::optional<int> samples_per_pixel;
     std::optional<std::pair<int, int>> resolution_px;
     std::optional<std::uint64_t> seed;
-    int wavelengths = 4;
+    int wavelengths = RenderOptions{}.wavelengths;
     int threads = 0;
     bool rgb = false, half = false, quiet = false;
     Pipeline pipeline;
@@ -41,23 +45,32 @@ struct RenderCommand::Options {
 
 namespace {
 
-constexpr int kMaxSize_px = 65536;
+/// Refuses an option's value as bad usage, if the library would refuse it.
+template <class Options>
+void check_option(const char* option, const Options& options) {
+    try {
+        validate(options);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError(option, error.what());
+    }
+}
 
 /// "640x480".
 std::pair<int, int> parse_resolution(const std::string& text) {
     std::pair<int, int> size{0, 0};
     const std::size_t cross = text.find('x');
     const auto refuse = [&text] {
-        throw CLI::ValidationError("--resolution", "found \"" + text + "\", expected WIDTHxHEIGHT, each in [1, 65536]");
+        throw CLI::ValidationError("--resolution", "found \"" + text + "\", expected WIDTHxHEIGHT in pixels");
     };
     if (cross == std::string::npos) refuse();
     const auto read = [&](std::string_view digits, int& value) {
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         const bool whole = error == std::errc{} && end == digits.data() + digits.size();
-        if (!whole || value < 1 || value > kMaxSize_px) refuse();
+        if (!whole) refuse();
     };
     read(std::string_view(text).substr(0, cross), size.first);
     read(std::string_view(text).substr(cross + 1), size.second);
+    check_option("--resolution", FilmOptions{.width_px = size.first, .height_px = size.second});
     return size;
 }
 
@@ -79,20 +92,6 @@ double elapsed_s(std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
-void warn_of_losses(const Film& film) {
-    const DroppedSamples dropped = film.dropped();
-    if (dropped.count() > 0) {
-        print_warning(
-            fmt::format("{} of {} samples were bad and kept out: {} NaN, {} infinite, {} of negative luminance",
-                        dropped.count(), dropped.count() + film.sample_count(), dropped.count(DroppedKind::nan),
-                        dropped.count(DroppedKind::infinite), dropped.count(DroppedKind::negative_luminance)));
-        for (const DroppedSample& sample : dropped.first()) print_warning(to_string(sample));
-    }
-    if (const auto count = film.saturated_pixels(); count > 0) {
-        print_warning(fmt::format("{} pixels have left the range of the film's sums", count));
-    }
-}
-
 FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const std::string& command_line) {
     FilmMetadata metadata;
     metadata.samples_per_pixel = static_cast<std::int64_t>(film.min_samples_per_pixel());
@@ -102,6 +101,32 @@ FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const s
     metadata.renderer_version = "emulsion " EMULSION_VERSION;
     metadata.command_line = command_line;
     return metadata;
+}
+
+/// The EXR's name where the command line gives none: the scene's, in the current folder.
+std::filesystem::path default_exr(const std::filesystem::path& scene_file, const Scene& scene) {
+    std::filesystem::path exr =
+        scene.film.filename.empty() ? scene_file.filename() : std::filesystem::path(scene.film.filename);
+    exr.replace_extension(".exr");
+    return exr;
+}
+
+/// render(), shown as it goes; warns if it was stopped early.
+/// \throws std::runtime_error if it was stopped before there was anything to write.
+void render_with_progress(const PreparedScene& scene, const RenderOptions& options, Film& film,
+                          RenderProgress& progress, ProgressStyle style) {
+    const PixelBounds bounds = film.bounds();
+    const std::int64_t total = static_cast<std::int64_t>(bounds.width()) * bounds.height() * options.samples_per_pixel;
+    {
+        const ProgressDisplay display(style, progress, total);
+        render(scene, options, film, progress);
+    }
+    if (progress.samples_done == 0) throw std::runtime_error("stopped before the first samples; nothing was written");
+    if (progress.samples_done < total) {
+        print_warning(fmt::format("stopped early, at {} to {} of {} samples per pixel; writing what there is",
+                                  film.min_samples_per_pixel(), film.max_samples_per_pixel(),
+                                  options.samples_per_pixel));
+    }
 }
 
 }  // namespace
@@ -119,8 +144,14 @@ RenderCommand::RenderCommand(CLI::App& program)
     exr_option->check(ends_in_exr);
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
         ->option_text("FILE");
-    command_->add_option("--spp", options.samples_per_pixel, "Samples per pixel, 1 to 16777216 [default: the scene's]")
-        ->check(CLI::Range(1, 1 << 24))
+    command_
+        ->add_option_function<int>(
+            "--spp",
+            [&options](int samples) {
+                check_option("--spp", RenderOptions{.samples_per_pixel = samples});
+                options.samples_per_pixel = samples;
+            },
+            "Samples per pixel, >= 1 [default: the scene's]")
         ->option_text("N");
     command_
         ->add_option_function<std::string>(
@@ -131,8 +162,10 @@ RenderCommand::RenderCommand(CLI::App& program)
         ->check(is_whole_number)
         ->option_text("N");
     command_
-        ->add_option("--wavelengths", options.wavelengths, "Wavelengths per path: 1, 2, 4, 8, 16 or 32 [default: 4]")
-        ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}))
+        ->add_option("--wavelengths", options.wavelengths,
+                     fmt::format("Wavelengths per path, one of {} [default: {}]", fmt::join(kWavelengthCounts, ", "),
+                                 options.wavelengths))
+        ->check(CLI::IsMember(std::vector<int>(kWavelengthCounts.begin(), kWavelengthCounts.end())))
         ->option_text("N");
     command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
         ->check(CLI::Range(0, 1024))
@@ -143,9 +176,7 @@ RenderCommand::RenderCommand(CLI::App& program)
                        "No progress and no summary; warnings and errors only [default: both]");
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {
-        if (!options.png.empty() && options.png == options.exr) {
-            throw CLI::ValidationError("--png", "found the same file as for --output, expected another");
-        }
+        require_distinct({{"SCENE", options.scene}, {"--output", options.exr}, {"--png", options.png}});
     });
 }
 
@@ -169,54 +200,37 @@ int RenderCommand::run(const std::string& command_line) const {
     ExrOptions exr_options;
     exr_options.color = options.rgb ? ExrColor::rec709 : ExrColor::xyz;
     exr_options.pixel_type = options.half ? PixelType::half : scene.film.pixel_type;
-
-    std::filesystem::path exr = options.exr;
-    if (exr.empty()) {
-        exr = scene.film.filename.empty() ? options.scene.filename() : std::filesystem::path(scene.film.filename);
-        exr.replace_extension(".exr");
-    }
+    const std::filesystem::path exr = options.exr.empty() ? default_exr(options.scene, scene) : options.exr;
 
     // What can't be written is found out before the work, not after.
+    require_distinct({{"SCENE", options.scene}, {"the scene's film name", exr}, {"--png", options.png}});
     check_writable(exr);
     if (!options.png.empty()) check_writable(options.png);
 
+    // Until the last file is written, Ctrl-C leaves no half of it behind.
     Film film(film_options(scene));
     const PreparedScene prepared(std::move(scene), options.threads);
     RenderProgress progress;
-    const std::int64_t total = static_cast<std::int64_t>(film.options().width_px) * film.options().height_px *
-                               render_options.samples_per_pixel;
-    {
-        const StopSignals stop_signals(progress.stop);
-        const ProgressDisplay display(options.quiet ? ProgressStyle::none : progress_style_for_stderr(), progress,
-                                      total);
-        render(prepared, render_options, film, progress);
-    }
+    const StopSignals stop_signals(progress.stop);
+    render_with_progress(prepared, render_options, film, progress,
+                         options.quiet ? ProgressStyle::none : progress_style_for_stderr());
     const double render_s = elapsed_s(start);
-    if (progress.samples_done == 0) throw std::runtime_error("stopped before the first samples; nothing was written");
-    const bool stopped = progress.samples_done < total;
-    if (stopped) {
-        print_warning(fmt::format("stopped early, at {} to {} of {} samples per pixel; writing what there is",
-                                  film.min_samples_per_pixel(), film.max_samples_per_pixel(),
-                                  render_options.samples_per_pixel));
-    }
     warn_of_losses(film);
 
     // The PNG is made from what the EXR holds, so that `develop` makes the same one.
     const Image<XYZ> picture = film.xyz_image();
     const ExrWriteResult written =
         write_exr(exr, picture, metadata_of(film, render_options, command_line), exr_options);
-    if (written.clamped_count > 0) {
-        print_warning(fmt::format("{}: {} channel values are too large for 16-bit floats and were stored as 65504",
-                                  exr.string(), written.clamped_count));
+    for (const std::string& loss : exr_losses(written, exr_options.pixel_type)) {
+        print_warning(exr.string() + ": " + loss);
     }
     if (!options.png.empty()) {
         develop_to_png(as_stored(picture, exr_options), options.pipeline, options.threads, options.png);
     }
     if (!options.quiet) {
-        fmt::print("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),
-                   film.min_samples_per_pixel(), render_s);
-        fmt::print("wrote {}\n", exr.string());
-        if (!options.png.empty()) fmt::print("wrote {}\n", options.png.string());
+        print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\nwrote {}\n", picture.width(),
+                                 picture.height(), film.min_samples_per_pixel(), render_s, exr.string()));
+        if (!options.png.empty()) print_output(fmt::format("wrote {}\n", options.png.string()));
     }
     return kDone;
 }

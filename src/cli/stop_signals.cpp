@@ -1,6 +1,6 @@
 #include "cli/stop_signals.h"
 
-#include <csignal>
+#include <cstddef>
 
 namespace emulsion::cli {
 
@@ -14,8 +14,6 @@ extern "C" void set_stop_flag(int) {
     if (std::atomic<bool>* flag = stop_flag.load()) flag->store(true);
 }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM};
-
 }  // namespace
 
 StopSignals::StopSignals(std::atomic<bool>& stop) {
@@ -23,11 +21,15 @@ StopSignals::StopSignals(std::atomic<bool>& stop) {
     struct sigaction action {};
     action.sa_handler = set_stop_flag;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    for (const int signal : kSignals) ::sigaction(signal, &action, nullptr);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+        ::sigaction(kSignals[i], nullptr, &before_[i]);
+        const bool ignored = (before_[i].sa_flags & SA_SIGINFO) == 0 && before_[i].sa_handler == SIG_IGN;
+        if (!ignored) ::sigaction(kSignals[i], &action, nullptr);
+    }
 }
 
 StopSignals::~StopSignals() {
-    for (const int signal : kSignals) std::signal(signal, SIG_DFL);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
     stop_flag = nullptr;
 }
 

@@ -1,0 +1,78 @@
+// What a picture lost on its way to the file is said, with numbers.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/loss_warnings.h"
+#include "film/exr_file.h"
+#include "run_program.h"
+#include "scenes.h"
+
+namespace emulsion::testing {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Nothing but a sky of one colour and this brightness.
+std::string sky(const std::string& scale, const std::string& film_and_filter = "") {
+    return "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 30\n" + film_and_filter +
+           "\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 0.1 0.1] \"float scale\" " + scale + "\n";
+}
+
+class Losses : public ::testing::Test {
+  protected:
+    [[nodiscard]] ProgramResult render(const std::string& scene, std::vector<std::string> more) const {
+        write_text(folder_.file("sky.pbrt"), scene);
+        more.insert(more.begin(), {"render", folder_.file("sky.pbrt"), "--quiet", "-o", exr_});
+        return run_program(more);
+    }
+
+    TemporaryFolder folder_;
+    const std::string exr_ = folder_.file("a.exr");
+};
+
+TEST_F(Losses, PixelsWithoutAValueAreCounted) {
+    // One sample to a pixel: those that the filter's negative lobes drew have a negative weight, and no value.
+    const ProgramResult result = render(sky("1", "PixelFilter \"mitchell\""), {"--spp", "1"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, ContainsRegex("emulsion: warning: [1-9][0-9]* of 1200 pixels have no value"));
+    EXPECT_EQ(render(sky("1"), {"--spp", "1"}).err, "");
+}
+
+TEST_F(Losses, SaturatedPixelsAreCounted) {
+    const ProgramResult result = render(sky("1e36"), {"--spp", "4", "--wavelengths", "32"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err, HasSubstr("1200 pixels have left the range of the film's sums"));
+}
+
+TEST_F(Losses, ValuesTooLargeForTheFileAreCounted) {
+    const ProgramResult result = render(sky("1e9"), {"--half", "--spp", "4", "--wavelengths", "32"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err, HasSubstr(exr_ + ": 3600 channel values are too large for 16-bit floats"));
+}
+
+TEST(ExrLosses, NameTheTypeThatWasTooSmall) {
+    const ExrWriteResult both{.clamped_count = 7, .non_finite_count = 5};
+    EXPECT_THAT(cli::exr_losses(both, PixelType::half),
+                ElementsAre(HasSubstr("7 channel values are too large for 16-bit floats and were stored as 65504,"),
+                            HasSubstr("5 channel values are NaN or infinite")));
+    EXPECT_THAT(
+        cli::exr_losses(both, PixelType::float32),
+        ElementsAre(HasSubstr("7 channel values are too large for 32-bit floats and were stored as 3.4028235e+38,"),
+                    HasSubstr("5 channel values are NaN or infinite")));
+    EXPECT_THAT(cli::exr_losses({}, PixelType::half), IsEmpty());
+}
+
+TEST_F(Losses, APictureOfBadSamplesOnlyIsAnError) {
+    const ProgramResult result = render(sky("1e38"), {"--spp", "2", "--wavelengths", "32"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("emulsion: error: all 2400 samples were bad: 0 NaN, 2400 infinite, 0 of negative "
+                                      "luminance; nothing was written\n"));
+    EXPECT_THAT(folder_.names(), ElementsAre("sky.pbrt"));
+}
+
+}  // namespace
+}  // namespace emulsion::testing
