@@ -156,6 +156,9 @@ void occluded_packets(RTCScene scene, std::span<const Ray> rays, std::span<std::
 
 static_assert(Hit::kNone == RTC_INVALID_GEOMETRY_ID);
 
+/// Embree takes coordinates up to about 1.8e18.
+constexpr float kMostCoordinate = 1e18f;
+
 }  // namespace
 
 Accelerator::Accelerator(const std::vector<Shape>& shapes, int threads) : embree_(std::make_unique<Embree>()) {
@@ -187,13 +190,15 @@ Accelerator::Accelerator(const std::vector<Shape>& shapes, int threads) : embree
     RTCBounds box{};
     rtcGetSceneBounds(embree_->scene, &box);
     const Imath::V3f low(box.lower_x, box.lower_y, box.lower_z), high(box.upper_x, box.upper_y, box.upper_z);
-    bounds_centre_ = (low + high) * 0.5f;
     bounds_radius_ = (high - low).length() * 0.5f;
+    // Embree leaves out shapes that it cannot hold, without a word, and then has no bounds.
+    if (!(bounds_radius_ < kMostCoordinate))
+        throw std::runtime_error("the scene's coordinates are too large for Embree");
 }
 
 Accelerator::~Accelerator() = default;
 
-void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept {
+void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
     if (log_ != nullptr) log_->batches.push_back({{rays.begin(), rays.end()}, RayLog::Batch::Query::intersect});
     switch (embree_->packet_width) {
         case 16:
@@ -205,7 +210,7 @@ void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) cons
     }
 }
 
-void Accelerator::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const noexcept {
+void Accelerator::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
     if (log_ != nullptr) log_->batches.push_back({{rays.begin(), rays.end()}, RayLog::Batch::Query::occluded});
     switch (embree_->packet_width) {
         case 16:

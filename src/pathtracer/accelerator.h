@@ -42,29 +42,27 @@ struct RayLog {
 class Accelerator {
   public:
     /// Builds Embree's hierarchy over the shapes on up to `threads` threads (0: all). Keeps a reference to the shapes.
-    /// \throws std::runtime_error with Embree's reason if that fails.
+    /// \throws std::runtime_error if that fails: with Embree's reason, or because coordinates are beyond its range.
     Accelerator(const std::vector<Shape>& shapes, int threads);
     ~Accelerator();
     Accelerator(const Accelerator&) = delete;
     Accelerator& operator=(const Accelerator&) = delete;
 
     /// hits[i] = the first hit of rays[i]; both of the same size. Neighbours in the span are traced together.
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept;
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
 
     /// occluded[i] = 1 if rays[i] meets anything, else 0.
-    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const noexcept;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
 
     /// From now on every query is also written to `log` (one thread only); nullptr ends it.
     void record(RayLog* log) noexcept { log_ = log; }
 
-    /// The smallest sphere about the centre of the bounding box that holds every shape.
-    [[nodiscard]] Imath::V3f bounds_centre() const noexcept { return bounds_centre_; }
+    /// Half the diagonal of the bounding box of all shapes; 0 if there are none.
     [[nodiscard]] float bounds_radius() const noexcept { return bounds_radius_; }
 
   private:
     struct Embree;
     std::unique_ptr<Embree> embree_;
-    Imath::V3f bounds_centre_;
     float bounds_radius_ = 0.0f;
     RayLog* log_ = nullptr;
 };

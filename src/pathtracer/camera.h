@@ -11,7 +11,7 @@ namespace emulsion {
 /// The pinhole camera for one resolution: the direction is an affine function of the place in the picture.
 class CameraRays {
   public:
-    /// \throws std::invalid_argument if the field of view, the window or the matrix is out of range.
+    /// \throws std::invalid_argument if the field of view or the aspect ratio is out of range.
     CameraRays(const PerspectiveCamera& camera, int width_px, int height_px);
 
     /// x_px to the right and y_px downwards from the picture's top left corner. The direction is of unit length.

@@ -37,11 +37,13 @@ EmitterSample sample_one(const TriangleEmitter& emitter, const V3f& from, std::a
     return from_area({t.at(b1, b2), t.normal, t.normal, t.offset}, 1.0f / t.area, emitter.two_sided, from);
 }
 
-/// 1 - cos of the half-angle under which the sphere is seen, if it is seen from outside and keeps its shape.
+/// 1 - cos of the half-angle under which the sphere is seen, if it keeps its shape and is surely seen from outside: a
+/// point of its own surface may lie outside by rounding, and see the side that is meant for it all the same.
 std::optional<double> cone_height(const PreparedSphere& sphere, const V3d& from) noexcept {
     if (!sphere.world_centre) return std::nullopt;
     const double sin2 = sphere.world_radius * sphere.world_radius / (*sphere.world_centre - from).length2();
-    if (!(sin2 < 1.0 - 1e-6)) return std::nullopt;
+    const double rounding = 4.0 * static_cast<double>(kRelativeOffset * sphere.extent) / sphere.world_radius;
+    if (!(sin2 < 1.0 - std::max(1e-6, rounding))) return std::nullopt;
     return sin2 / (1.0 + std::sqrt(1.0 - sin2));
 }
 
@@ -140,15 +142,15 @@ EmitterPicker::EmitterPicker(const std::vector<double>& weights) : cells_(weight
     while (!small.empty() && !large.empty()) {
         const std::uint32_t needy = small.back(), rich = large.back();
         small.pop_back();
-        cells_[needy] = {static_cast<float>(left[needy] / mean), rich};
+        cells_[needy] = {left[needy] / mean, rich};
         left[rich] -= mean - left[needy];
         if (left[rich] < mean) {
             large.pop_back();
             small.push_back(rich);
         }
     }
-    for (const std::uint32_t i : small) cells_[i] = {1.0f, i};
-    for (const std::uint32_t i : large) cells_[i] = {1.0f, i};
+    for (const std::uint32_t i : small) cells_[i] = {1.0, i};
+    for (const std::uint32_t i : large) cells_[i] = {1.0, i};
 }
 
 }  // namespace emulsion

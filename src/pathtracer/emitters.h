@@ -59,8 +59,8 @@ struct Emitter {
 [[nodiscard]] EmitterSample sample(const EmitterGeometry& emitter, const Imath::V3f& from,
                                    std::array<float, 2> u) noexcept;
 
-/// Density per steradian with which sample() draws the direction in which a ray from `from` has met this emitter at
-/// `point`, with `distance` and unit `direction`.
+/// Density per steradian with which sample() draws, for the point `from`, the unit `direction` in which this emitter
+/// was met at `point`, where its surface has the unit `normal`.
 [[nodiscard]] float direction_pdf(const EmitterGeometry& emitter, const Imath::V3f& from, const Imath::V3f& direction,
                                   const Imath::V3f& point, const Imath::V3f& normal) noexcept;
 
@@ -76,16 +76,17 @@ class EmitterPicker {
     /// Weights are finite and >= 0, and their sum is positive.
     explicit EmitterPicker(const std::vector<double>& weights);
 
-    /// u in [0, 1) to an index.
-    [[nodiscard]] std::uint32_t pick(float u) const noexcept {
-        const float scaled = u * static_cast<float>(cells_.size());
+    /// u in [0, 1) to an index. The bits of u are shared between the cell and the threshold in it: among many
+    /// emitters a single-precision u has too few, and the probabilities would not be those promised.
+    [[nodiscard]] std::uint32_t pick(double u) const noexcept {
+        const double scaled = u * static_cast<double>(cells_.size());
         const auto i = std::min(static_cast<std::uint32_t>(scaled), static_cast<std::uint32_t>(cells_.size() - 1));
-        return scaled - static_cast<float>(i) < cells_[i].threshold ? i : cells_[i].alias;
+        return scaled - static_cast<double>(i) < cells_[i].threshold ? i : cells_[i].alias;
     }
 
   private:
     struct Cell {
-        float threshold = 1.0f;
+        double threshold = 1.0;
         std::uint32_t alias = 0;
     };
     std::vector<Cell> cells_;

@@ -82,6 +82,7 @@ bool PathIntegrator<N>::scatter(Path<N>& path, std::uint32_t path_index, const H
     const SampledSpectrum<N> reflectance = scene_.spectrum(shape.reflectance).at(path.index);
     const bool front = path.ray.direction.dot(point.shading_normal) < 0.0f;
     const Imath::V3f facing_normal = front ? point.shading_normal : -point.shading_normal;
+    path.last_vertex = point.position;
     sample_light(path, path_index, point, reflectance, facing_normal);
 
     // The cosine in the density cancels that of the reflected radiance: what is left is the reflectance.
@@ -106,7 +107,7 @@ void PathIntegrator<N>::add_emission(Path<N>& path, const Emitter& emitter, cons
     if (!two_sided && path.ray.direction.dot(point.geometric_normal) >= 0.0f) return;
     float weight = 1.0f;
     if (path.direction_pdf > 0.0f) {
-        const float pdf = direction_pdf(emitter.geometry, path.ray.origin, path.ray.direction, point.position,
+        const float pdf = direction_pdf(emitter.geometry, path.last_vertex, path.ray.direction, point.position,
                                         point.geometric_normal);
         weight = power_heuristic(path.direction_pdf, emitter.selection_probability * pdf);
     }
@@ -117,8 +118,8 @@ template <int N>
 void PathIntegrator<N>::sample_light(Path<N>& path, std::uint32_t path_index, const SurfacePoint& point,
                                      const SampledSpectrum<N>& reflectance, const Imath::V3f& facing_normal) {
     if (scene_.emitters().empty()) return;
-    const Emitter& emitter = scene_.emitters()[scene_.picker().pick(path.samples.next_1d())];
-    const EmitterSample light = sample(emitter.geometry, point.position, path.samples.next_2d());
+    const Emitter& emitter = scene_.emitters()[scene_.picker().pick(path.samples.next_1d_fine())];
+    const EmitterSample light = sample(emitter.geometry, path.last_vertex, path.samples.next_2d());
     const float cosine = light.to_light.dot(facing_normal);
     if (light.scale == 0.0f || !(cosine > 0.0f)) return;
 

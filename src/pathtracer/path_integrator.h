@@ -25,6 +25,7 @@ struct Path {
     SampledSpectrum<N> throughput{1.0f};
     SampledSpectrum<N> radiance{0.0f};  ///< the result, W m^-2 sr^-1 nm^-1: an estimate at each wavelength
     float direction_pdf = 0.0f;         ///< per steradian, with which the last bounce drew the ray; 0 for the camera's
+    Imath::V3f last_vertex{0.0f};       ///< where that was: the point for which the lights' densities were taken
 };
 
 template <int N>

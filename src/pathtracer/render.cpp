@@ -20,6 +20,9 @@ namespace {
 constexpr int kTileSize_px = 16;
 constexpr int kSamplesPerRound = 16;
 
+/// The first rounds are of 1, 1, 2, 4 and 8 samples, so that a picture is soon whole, if noisy.
+constexpr int round_end(int begin) noexcept { return begin + std::clamp(begin, 1, kSamplesPerRound); }
+
 /// Paths traced together: enough to fill Embree's packets down to the last bounces, few enough to stay in cache.
 constexpr std::size_t kBatchSize = 256;
 
@@ -94,8 +97,9 @@ void render_with(const PreparedScene& scene, const RenderOptions& options, Film&
     const TileRenderer<N> renderer(scene, options, film);
     const int width = film.options().width_px, height = film.options().height_px;
     const int columns = (width + kTileSize_px - 1) / kTileSize_px, rows = (height + kTileSize_px - 1) / kTileSize_px;
-    for (int begin = 0; begin < options.samples_per_pixel && !progress.stop; begin += kSamplesPerRound) {
-        const int end = std::min(begin + kSamplesPerRound, options.samples_per_pixel);
+    int end = 0;
+    for (int begin = 0; begin < options.samples_per_pixel && !progress.stop; begin = end) {
+        end = std::min(round_end(begin), options.samples_per_pixel);
         parallel_for(0, columns * rows, options.threads, [&](int i) {
             if (progress.stop.load(std::memory_order_relaxed)) return;
             const int x = (i % columns) * kTileSize_px, y = (i / columns) * kTileSize_px;

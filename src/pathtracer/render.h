@@ -27,8 +27,9 @@ struct RenderProgress {
 };
 
 /// Adds options.samples_per_pixel paths to every pixel of the film, whose size gives the resolution. The film's sums
-/// depend on scene, seed and sample count, and on nothing else: every number of threads gives the same bits. Samples
-/// are added in rounds over the whole picture, so that a picture that was stopped early is whole.
+/// depend on scene, seed, sample count and the build: every number of threads gives the same bits. (Embree picks its
+/// instructions by the processor: another type of processor may differ by rounding.) Samples are added in rounds over
+/// the whole picture, the first of one sample per pixel: from then on a picture that is stopped early is whole.
 /// \throws std::invalid_argument as validate() does.
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress);
 

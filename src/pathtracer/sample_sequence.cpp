@@ -33,6 +33,8 @@ int samples_per_pixel(const Sampler& sampler) noexcept {
 }
 
 Sampler with_samples_per_pixel(const Sampler& sampler, int count) noexcept {
+    // Strata that the scene has chosen stay as they are.
+    if (count == samples_per_pixel(sampler)) return sampler;
     return std::visit([count](const auto& s) { return with_count(s, count); }, sampler);
 }
 

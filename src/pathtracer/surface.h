@@ -41,18 +41,15 @@ struct TriangleGeometry {
         p0 = mesh.position[corner[0]];
         edge1 = mesh.position[corner[1]] - p0;
         edge2 = mesh.position[corner[2]] - p0;
-        const Imath::V3f cross = edge1.cross(edge2);
-        const float length = std::sqrt(cross.dot(cross));
-        area = 0.5f * length;
-        normal = cross * ((mesh.flip_normal ? -1.0f : 1.0f) / length);
+        // The fourth power of a length leaves single precision for coordinates of 1e10 and of 1e-10.
+        const Imath::V3d cross = Imath::V3d(edge1).cross(Imath::V3d(edge2));
+        const double length = std::sqrt(cross.dot(cross));
+        area = static_cast<float>(0.5 * length);
+        // A triangle without area is never met; its normal must be a number all the same.
+        normal = length > 0.0 ? Imath::V3f(cross * ((mesh.flip_normal ? -1.0 : 1.0) / length)) : Imath::V3f(0, 0, 1);
         const float extent = std::max({max_abs_component(p0), max_abs_component(mesh.position[corner[1]]),
                                        max_abs_component(mesh.position[corner[2]])});
         offset = kRelativeOffset * extent;
-        // Shading normals say which side is outside.
-        if (!mesh.normal.empty()) {
-            const Imath::V3f sum = mesh.normal[corner[0]] + mesh.normal[corner[1]] + mesh.normal[corner[2]];
-            if (sum.dot(normal) < 0.0f) normal = -normal;
-        }
     }
     [[nodiscard]] Imath::V3f at(float u, float v) const noexcept { return p0 + edge1 * u + edge2 * v; }
 };

@@ -67,6 +67,23 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Furnace,
                          ::testing::Combine(::testing::Values(Room::box, Room::sphere),
                                             ::testing::Values(0.0, 0.5, 0.9)));
 
+/// Far from the origin, positions are rounded to a good part of the room: points of the wall must not fall out of it.
+TEST(FurnaceFarAway, IsAsBrightAsAtTheOrigin) {
+    for (const float away : {10.0f, 100.0f, 1000.0f, 10000.0f}) {
+        for (const bool two_sided : {false, true}) {
+            Scene scene = furnace(Room::sphere, ConstantSpectrum{0.5}, ConstantSpectrum{10.0});
+            auto& sphere = std::get<Sphere>(scene.shapes[0].geometry);
+            sphere.world_from_object.setTranslation(Imath::V3d(static_cast<double>(away)));
+            sphere.radius = 3.0;
+            scene.shapes[0].area_light->two_sided = two_sided;
+            const Imath::V3f inside(away, away + 0.5f, away - 0.25f);
+            const auto estimate = estimate_radiance(scene, {inside, {0.6f, 0, 0.8f}}, 100000);
+            EXPECT_NEAR(estimate.mean[1], 20.0, 4.0 * estimate.standard_error[1] + 1e-4) << away;
+            EXPECT_LT(estimate.standard_error[1], 0.05);
+        }
+    }
+}
+
 /// Shorter paths gather a partial sum of the geometric series.
 TEST(FurnaceDepth, EachScatteringEventAddsOneTerm) {
     for (const int depth : {0, 1, 2, 3}) {

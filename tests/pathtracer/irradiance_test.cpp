@@ -30,7 +30,7 @@ Ray towards_floor(float x, float y) {
 class Irradiance : public ::testing::TestWithParam<Sampler> {
   protected:
     void expect_irradiance(const Scene& scene, float x, float y, const Spectrum& reflectance, const Spectrum& emission,
-                           double irradiance_of_unit_emission, int count = 20000) const {
+                           double irradiance_of_unit_emission, int count = 100000) const {
         const auto estimate = estimate_radiance(scene, towards_floor(x, y), count, GetParam());
         for (std::size_t i = 0; i < 4; ++i) {
             const auto lambda_nm = static_cast<double>(kTestWavelengths_nm[i]);
@@ -38,7 +38,7 @@ class Irradiance : public ::testing::TestWithParam<Sampler> {
                 eval(reflectance, lambda_nm) * eval(emission, lambda_nm) * irradiance_of_unit_emission / kPi;
             EXPECT_NEAR(estimate.mean[i], expected, 4.0 * estimate.standard_error[i] + 4e-6 * expected)
                 << lambda_nm << " nm";
-            EXPECT_LT(estimate.standard_error[i], 0.02 * expected);
+            EXPECT_LT(estimate.standard_error[i], 0.005 * expected);
         }
     }
 

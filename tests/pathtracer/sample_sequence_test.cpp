@@ -103,6 +103,11 @@ TEST(SamplesPerPixel, AreReadAndReplaced) {
             EXPECT_EQ(changed.index(), sampler.index());
         }
     }
+    // The scene's own strata stay, if the number does.
+    const auto kept = std::get<StratifiedSampler>(with_samples_per_pixel(StratifiedSampler{16, 1, false}, 16));
+    EXPECT_EQ(kept.x_samples, 16);
+    EXPECT_EQ(kept.y_samples, 1);
+    EXPECT_FALSE(kept.jitter);
     EXPECT_EQ(std::get<StratifiedSampler>(with_samples_per_pixel(StratifiedSampler{}, 36)).x_samples, 6);
 }
 
