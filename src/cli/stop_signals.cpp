@@ -7,6 +7,7 @@ namespace emulsion::cli {
 namespace {
 
 // A signal handler has no other way to its data.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<std::atomic<bool>*> stop_flag{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free && decltype(stop_flag)::is_always_lock_free);
 
