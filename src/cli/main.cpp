@@ -15,7 +15,9 @@
 
 namespace {
 
-using namespace emulsion::cli;
+using emulsion::cli::DevelopCommand, emulsion::cli::RenderCommand;
+using emulsion::cli::flush_output, emulsion::cli::print_error;
+using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
 
 /// The command as it could be typed again: words with anything special in them in single quotes.
 std::string command_line_text(int argc, char** argv) {
