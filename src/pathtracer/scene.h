@@ -27,7 +27,6 @@ struct ScaledSpectrum {
 };
 
 // --- Camera
-// -----------------------------------------------------------------------------------------------------------
 
 /// A pinhole at the origin of camera space that looks along +z, with y up and x to the right.
 struct PerspectiveCamera {
@@ -39,7 +38,6 @@ struct PerspectiveCamera {
 };
 
 // --- Materials and shapes
-// ---------------------------------------------------------------------------------------------
 
 /// Lambertian reflection; reflectance in [0, 1].
 struct DiffuseMaterial {
@@ -76,7 +74,6 @@ struct Shape {
 };
 
 // --- Lights without a shape
-// -------------------------------------------------------------------------------------------
 
 struct PointLight {
     Imath::V3d position;
@@ -96,7 +93,6 @@ struct UniformInfiniteLight {
 using Light = std::variant<PointLight, DistantLight, UniformInfiniteLight>;
 
 // --- How to render it
-// -------------------------------------------------------------------------------------------------
 
 struct IndependentSampler {
     int samples_per_pixel = 16;

@@ -3,24 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "pathtracer/scene_transform.h"
+#include "spectrum/spectrum_table.h"
 
 namespace emulsion {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kMostFloat = std::numeric_limits<float>::max();
 
-/// \throws SceneError if the scale is too large for the renderer's single precision.
-void check_scale(const ScaledSpectrum& light, const SourcePlace& place) {
-    if (light.scale <= kMostFloat) return;
-    throw SceneError(place, fmt::format("a light scaled by {:g}", light.scale), "one that single precision holds");
+/// \throws SceneError if the light is too bright, at some wavelength, for the renderer's single precision.
+void check_brightness(const ScaledSpectrum& light, const SourcePlace& place) {
+    try {
+        static_cast<void>(SpectrumTable(light.spectrum, light.scale));  // that is what the renderer will do
+    } catch (const std::invalid_argument&) {
+        throw SceneError(place, fmt::format("a light scaled by {:g}", light.scale), "one that single precision holds");
+    }
 }
 
 /// The list's spectrum `name`, or the default, brought to a photometric value.
@@ -29,7 +32,7 @@ ScaledSpectrum scaled_light(const ParameterList& list, std::string_view name, do
     const SceneParameter* const parameter = find_parameter(list, name);
     ScaledSpectrum light = parameter == nullptr ? spectra.default_light() : spectra.light(*parameter);
     light.scale *= photometric_value;
-    check_scale(light, list.place);
+    check_brightness(light, list.place);
     return light;
 }
 
@@ -38,9 +41,9 @@ Light read_point_light(const ParameterList& list, const Imath::M44d& ctm, Spectr
     if (find_parameter(list, "power") != nullptr) intensity_cd *= real_or(list, "power", 0.0) / (4.0 * kPi);
     const Imath::V3d from = point_or(list, "from", Imath::V3d(0.0));
     const Imath::V3d position = transform_point(ctm, from);
-    if (!(std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}) <= kMostFloat)) {
-        throw SceneError(list.place, fmt::format("a light at ({}, {}, {})", position.x, position.y, position.z),
-                         "coordinates that single precision holds");
+    if (!is_within_reach(position)) {
+        throw SceneError(list.place, fmt::format("a light at ({:g}, {:g}, {:g})", position.x, position.y, position.z),
+                         std::string(kWithinReach));
     }
     return PointLight{position, scaled_light(list, "I", intensity_cd, spectra)};
 }
@@ -100,7 +103,7 @@ AreaLight light_of_shape(const AreaLightSource& source, std::span<const double> 
         light.triangle_scale.push_back(static_cast<float>(first_area / area));
         brightest.scale = std::max(brightest.scale, light.radiance.scale * first_area / area);
     }
-    check_scale(brightest, source.place);
+    check_brightness(brightest, source.place);
     return light;
 }
 

@@ -19,15 +19,15 @@ Imath::V3d point_of(const std::vector<double>& numbers, std::size_t index) noexc
     return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
 }
 
-/// \throws SceneError if a coordinate overflows.
-Imath::V3f single_precision(const Imath::V3d& v, const SceneParameter& parameter, std::size_t index) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    const bool fits = std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest && std::abs(v.z) <= kLargest;
+/// \throws SceneError naming a triple of coordinates that is too large for `most`.
+Imath::V3f single_precision(const Imath::V3d& v, double most, std::string_view expected,
+                            const SceneParameter& parameter, std::size_t index) {
+    const bool fits = std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
     if (fits) return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     throw SceneError(
         place_of_value(parameter, 3 * index),
         fmt::format("({:g}, {:g}, {:g}) in world space for parameter \"{}\"", v.x, v.y, v.z, parameter.name),
-        "coordinates that single precision holds");
+        std::string(expected));
 }
 
 /// One value per vertex, or none at all.
@@ -51,18 +51,20 @@ TriangleMesh read_vertices(const ParameterList& list, const ShapeFrame& frame) {
     mesh.position.reserve(vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
         const Imath::V3d world = transform_point(frame.world_from_object, point_of(positions->numbers, i));
-        mesh.position.push_back(single_precision(world, *positions, i));
+        mesh.position.push_back(single_precision(world, kReach, kWithinReach, *positions, i));
     }
     per_vertex(list, "uv", 2, vertices);
     per_vertex(list, "S", 3, vertices);
 
     const bool reversed = frame.orientation == Orientation::reversed;
     if (const SceneParameter* const normals = per_vertex(list, "N", 3, vertices)) {
-        const Imath::M44d matrix = normal_matrix(frame.world_from_object);
+        const std::optional<Imath::M44d> matrix = normal_matrix(frame.world_from_object);
+        if (!matrix) throw SceneError(normals->place, "normals under a transformation without inverse", "another one");
         mesh.normal.reserve(vertices);
         for (std::size_t i = 0; i < vertices; ++i) {
-            const Imath::V3d world = transform_vector(matrix, point_of(normals->numbers, i)) * (reversed ? -1.0 : 1.0);
-            mesh.normal.push_back(single_precision(world, *normals, i));
+            const Imath::V3d world = transform_vector(*matrix, point_of(normals->numbers, i)) * (reversed ? -1.0 : 1.0);
+            mesh.normal.push_back(single_precision(world, std::numeric_limits<float>::max(),
+                                                   "coordinates that single precision holds", *normals, i));
         }
     } else {
         mesh.flip_normal = reversed != swaps_handedness(frame.world_from_object);

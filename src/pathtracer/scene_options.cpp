@@ -5,8 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "film/filter_sampler.h"
+#include "pathtracer/scene_transform.h"
 
 namespace emulsion {
 
@@ -21,6 +25,17 @@ float filter_number(const ParameterList& list, std::string_view name, float othe
     if (kept) return value;
     throw SceneError(parameter->first_value, fmt::format(R"({} for parameter "{}")", parameter->numbers.front(), name),
                      "a number that single precision holds");
+}
+
+constexpr int kMostSamples = 1 << 24;  // as RenderOptions
+constexpr int kMostPixels = 65536;     // of a side; as FilmOptions
+
+/// \throws SceneError if a parameter is above what the renderer takes.
+int integer_up_to(int most, const ParameterList& list, std::string_view name, int otherwise) {
+    const int value = integer_or(list, name, otherwise);
+    if (value <= most) return value;
+    throw SceneError(find_parameter(list, name)->first_value, fmt::format(R"({} for parameter "{}")", value, name),
+                     fmt::format("at most {}", most));
 }
 
 /// \throws SceneError unless products and quotients of a few such numbers stay finite and above 0.
@@ -67,10 +82,12 @@ constexpr auto kFilterReaders = std::to_array<FilterReader>({{BoxFilter::kName, 
                                                              {LanczosSincFilter::kName, read_sinc}});
 
 Sampler read_independent(const ParameterList& list) {
-    return IndependentSampler{integer_or(list, "pixelsamples", IndependentSampler{}.samples_per_pixel)};
+    return IndependentSampler{
+        integer_up_to(kMostSamples, list, "pixelsamples", IndependentSampler{}.samples_per_pixel)};
 }
 Sampler read_padded_sobol(const ParameterList& list) {
-    return PaddedSobolSampler{integer_or(list, "pixelsamples", PaddedSobolSampler{}.samples_per_pixel)};
+    return PaddedSobolSampler{
+        integer_up_to(kMostSamples, list, "pixelsamples", PaddedSobolSampler{}.samples_per_pixel)};
 }
 Sampler read_stratified(const ParameterList& list) {
     StratifiedSampler sampler;
@@ -78,9 +95,9 @@ Sampler read_stratified(const ParameterList& list) {
     sampler.y_samples = integer_or(list, "ysamples", sampler.y_samples);
     sampler.jitter = flag_or(list, "jitter", Flag::on) == Flag::on;
     const std::int64_t samples = std::int64_t{sampler.x_samples} * sampler.y_samples;
-    if (samples > std::numeric_limits<int>::max()) {
+    if (samples > kMostSamples) {
         throw SceneError(list.place, fmt::format("{} x {} samples", sampler.x_samples, sampler.y_samples),
-                         fmt::format("at most {} in all", std::numeric_limits<int>::max()));
+                         fmt::format("at most {} in all", kMostSamples));
     }
     return sampler;
 }
@@ -98,7 +115,14 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
                  Exposure& exposure) {
     check_parameters(camera_table(), list);
     camera = {};
-    camera.world_from_camera = camera_from_world.inverse();
+    const std::optional<Imath::M44d> inverse = inverse_of(camera_from_world);
+    if (!inverse) throw SceneError(list.place, "a camera under a transformation without inverse", "another one");
+    camera.world_from_camera = *inverse;
+    const Imath::V3d position = inverse->translation();
+    if (!is_within_reach(position)) {
+        throw SceneError(list.place, fmt::format("a camera at ({:g}, {:g}, {:g})", position.x, position.y, position.z),
+                         std::string(kWithinReach));
+    }
     camera.fov_deg = real_or(list, "fov", camera.fov_deg);
     if (!(camera.fov_deg < 180.0)) {
         throw SceneError(find_parameter(list, "fov")->first_value, fmt::format("a field of view of {}", camera.fov_deg),
@@ -122,8 +146,8 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
 void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure) {
     check_parameters(film_table(), list);
     film = {};
-    film.width_px = integer_or(list, "xresolution", film.width_px);
-    film.height_px = integer_or(list, "yresolution", film.height_px);
+    film.width_px = integer_up_to(kMostPixels, list, "xresolution", film.width_px);
+    film.height_px = integer_up_to(kMostPixels, list, "yresolution", film.height_px);
     const std::int64_t pixels = std::int64_t{film.width_px} * film.height_px;
     if (pixels > std::numeric_limits<int>::max()) {
         throw SceneError(list.place, fmt::format("{} x {} pixels", film.width_px, film.height_px),
@@ -143,7 +167,15 @@ void read_sampler(const ParameterList& list, Sampler& sampler, int& seed) {
 
 Filter read_filter(const ParameterList& list) {
     check_parameters(filter_table(), list);
-    return supported_row<FilterReader>(list.place, {"pixel filter"}, list.owner, kFilterReaders).read(list);
+    const Filter filter =
+        supported_row<FilterReader>(list.place, {"pixel filter"}, list.owner, kFilterReaders).read(list);
+    try {
+        static_cast<void>(FilterSampler(filter));  // which knows whether the filter can be normalised
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(list.place, fmt::format("a pixel filter that can't be normalised ({})", error.what()),
+                         "one with a positive integral");
+    }
+    return filter;
 }
 
 PathIntegratorSettings read_integrator(const ParameterList& list) {

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "pathtracer/scene_mesh.h"
+#include "pathtracer/scene_transform.h"
 
 namespace emulsion {
 
@@ -27,10 +27,10 @@ std::optional<ReadShape> read_sphere(const ParameterList& list, const ShapeFrame
     const Imath::M44d& m = frame.world_from_object;
     for (int axis = 0; axis < 3; ++axis) {
         const double reach = Imath::V3d(m[0][axis], m[1][axis], m[2][axis]).length() * radius + std::abs(m[3][axis]);
-        if (reach <= std::numeric_limits<float>::max()) continue;
-        throw SceneError(list.place, fmt::format("a sphere that reaches to {:g} in world space", reach),
-                         "coordinates that single precision holds");
+        if (reach <= kReach) continue;
+        throw SceneError(list.place, fmt::format("a sphere that reaches to {:g}", reach), std::string(kWithinReach));
     }
+    if (!inverse_of(m)) throw SceneError(list.place, "a sphere under a transformation without inverse", "another one");
     return ReadShape{Sphere{frame.world_from_object, radius, frame.orientation == Orientation::reversed},
                      {4.0 * std::numbers::pi * radius * radius}};
 }

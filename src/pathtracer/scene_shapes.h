@@ -4,7 +4,11 @@
 // Which way a mesh faces is settled here: triangles are wound, and flip_normal set, so that the geometric normal is the
 // one that pbrt-v4 uses. Without N that is the cross product of the world-space edges, turned round if
 // ReverseOrientation or a transformation that swaps handedness (but not both) says so; with N it is the side that the
-// normals of the three corners point to. A sphere's is outward, turned by ReverseOrientation alone.
+// normals of the three corners point to.
+//
+// A sphere's is outward, turned by ReverseOrientation alone, whatever the transformation. This departs from pbrt-v4
+// under a mirroring one: there, a ray that meets the sphere finds its normal turned once more, while light sampling
+// does not, so that the two disagree about which side is lit; ours holds with the latter everywhere.
 
 #include <optional>
 #include <string>

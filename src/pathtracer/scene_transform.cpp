@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace emulsion {
 
@@ -10,6 +11,15 @@ namespace {
 
 Imath::V3d axis_of(const Imath::M44d& matrix, int row) noexcept {
     return {matrix[row][0], matrix[row][1], matrix[row][2]};
+}
+
+bool is_finite(const Imath::M44d& matrix) noexcept {
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            if (!std::isfinite(matrix[row][column])) return false;
+        }
+    }
+    return true;
 }
 
 /// Unit length; (0, 0, 0) if that can't be. Scaled first, so that squares neither overflow nor vanish.
@@ -63,11 +73,7 @@ bool is_affine(const Imath::M44d& matrix) noexcept {
 }
 
 bool is_invertible(const Imath::M44d& affine) noexcept {
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            if (!std::isfinite(affine[row][column])) return false;
-        }
-    }
+    if (!is_finite(affine)) return false;
     const Imath::V3d x = unit(axis_of(affine, 0)), y = unit(axis_of(affine, 1)), z = unit(axis_of(affine, 2));
     return std::abs(x.cross(y).dot(z)) >= 1e-12;
 }
@@ -84,6 +90,23 @@ Imath::V3d transform_vector(const Imath::M44d& affine, const Imath::V3d& vector)
     return axis_of(affine, 0) * vector.x + axis_of(affine, 1) * vector.y + axis_of(affine, 2) * vector.z;
 }
 
-Imath::M44d normal_matrix(const Imath::M44d& affine) { return affine.inverse().transposed(); }
+std::optional<Imath::M44d> inverse_of(const Imath::M44d& affine) noexcept {
+    Imath::M44d inverse;
+    try {
+        inverse = affine.inverse(true);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+    return is_finite(inverse) ? std::optional(inverse) : std::nullopt;
+}
+
+std::optional<Imath::M44d> normal_matrix(const Imath::M44d& affine) noexcept {
+    const std::optional<Imath::M44d> inverse = inverse_of(affine);
+    return inverse ? std::optional(inverse->transposed()) : std::nullopt;
+}
+
+bool is_within_reach(const Imath::V3d& point) noexcept {
+    return std::abs(point.x) <= kReach && std::abs(point.y) <= kReach && std::abs(point.z) <= kReach;
+}
 
 }  // namespace emulsion

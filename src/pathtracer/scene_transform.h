@@ -3,6 +3,8 @@
 // matrix here is Imath's, so that pbrt's "CTM = CTM * new" reads `new * ctm`. All maps are affine and invertible.
 
 #include <array>
+#include <optional>
+#include <string_view>
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
@@ -35,7 +37,18 @@ namespace emulsion {
 [[nodiscard]] Imath::V3d transform_point(const Imath::M44d& affine, const Imath::V3d& point) noexcept;
 [[nodiscard]] Imath::V3d transform_vector(const Imath::M44d& affine, const Imath::V3d& vector) noexcept;
 
-/// The matrix that transform_vector takes normals with: the inverse transpose.
-[[nodiscard]] Imath::M44d normal_matrix(const Imath::M44d& affine);
+/// Unset if the inverse is beyond double precision: is_invertible() looks at directions, not at lengths.
+[[nodiscard]] std::optional<Imath::M44d> inverse_of(const Imath::M44d& affine) noexcept;
+
+/// The matrix that transform_vector takes normals with: the inverse transpose, unset as inverse_of().
+[[nodiscard]] std::optional<Imath::M44d> normal_matrix(const Imath::M44d& affine) noexcept;
+
+/// The largest coordinate in world space. Embree drops what lies past about 1.8e18 without a word; this leaves room for
+/// rays to start and end.
+inline constexpr double kReach = 1e15;
+inline constexpr std::string_view kWithinReach = "coordinates from -1e15 to 1e15 in world space";
+
+/// Whether each coordinate is within kReach of 0.
+[[nodiscard]] bool is_within_reach(const Imath::V3d& point) noexcept;
 
 }  // namespace emulsion

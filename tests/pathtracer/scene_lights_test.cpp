@@ -85,6 +85,13 @@ TEST(SceneLights, PowerIsThatOfEachBilinearPatch) {
     EXPECT_TRUE(square_light("\"float scale\" 2").triangle_scale.empty());
 }
 
+TEST(SceneLights, LinesNarrowerThanANanometreAreLights) {
+    expect_photometric(only_light<UniformInfiniteLight>(
+                           "LightSource \"infinite\" \"spectrum L\" [589.2 0 589.5 1 589.8 0] \"float scale\" 7")
+                           .radiance,
+                       7.0, "sodium");
+}
+
 /// As in pbrt-v4, where every triangle is a light of its own: the small ones shine brighter.
 TEST(SceneLights, PowerIsThatOfEachTriangle) {
     const Scene scene = parse_world(R"(AreaLightSource "diffuse" "float power" 100
@@ -156,12 +163,15 @@ TEST(SceneLights, RefusesWhatMakesNoLight) {
               "finite");
     EXPECT_EQ(world_error_of("LightSource \"infinite\" \"float scale\" 1e60"),
               "t.pbrt:2:13: found a light scaled by 1.38556e+53, expected one that single precision holds");
+    // The scale alone would fit.
+    EXPECT_EQ(world_error_of("LightSource \"infinite\" \"spectrum L\" [400 1e10 700 1e10] \"float scale\" 1e44"),
+              "t.pbrt:2:13: found a light scaled by 1.37099e+29, expected one that single precision holds");
     EXPECT_EQ(
         world_error_of(R"(LightSource "distant" "point3 from" [1 2 3] "point3 to" [1 2 3])"),
         "t.pbrt:2:13: found a distant light whose \"from\" and \"to\" give no direction, expected two points apart "
         "from each other");
     EXPECT_EQ(world_error_of(R"(LightSource "point" "point3 from" [1e60 2 3])"),
-              "t.pbrt:2:13: found a light at (1e+60, 2, 3), expected coordinates that single precision holds");
+              "t.pbrt:2:13: found a light at (1e+60, 2, 3), expected coordinates from -1e15 to 1e15 in world space");
     EXPECT_EQ(world_error_of(R"(LightSource "point" "point3 from" [1 2 3 4])"),
               "t.pbrt:2:21: found 4 values for parameter \"from\" of light source \"point\", expected 3");
     EXPECT_EQ(

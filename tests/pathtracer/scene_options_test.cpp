@@ -124,6 +124,14 @@ TEST(SceneOptions, TheLaterOfTwoIsTakenAndWarnedOf) {
     EXPECT_EQ(scene.warnings[0], "t.pbrt:2:2: Film replaces the one at t.pbrt:1:1");
 }
 
+TEST(SceneOptions, RefusesFiltersThatCantBeNormalised) {
+    // A Gaussian that is flat over the support less its value at the end is 0; lobes of a milliard outweigh their sum.
+    for (const std::string filter : {R"("gaussian" "float sigma" 1e30)", R"("mitchell" "float B" 1e9)"}) {
+        const std::string message = error_of("PixelFilter " + filter);
+        EXPECT_EQ(message.rfind("t.pbrt:1:13: found a pixel filter that can't be normalised (", 0), 0u) << message;
+    }
+}
+
 struct BadOption {
     std::string text, message;
 };
@@ -146,8 +154,20 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:8: found an exposure time of -1, expected \"shutterclose\" after \"shutteropen\""},
         {R"(Film "rgb" "integer xresolution" 0)",
          "1:34: found 0 for parameter \"xresolution\" of film \"rgb\", expected a number above 0"},
-        {R"(Film "rgb" "integer xresolution" 100000 "integer yresolution" 100000)",
-         "1:6: found 100000 x 100000 pixels, expected at most 2147483647 in all"},
+        {R"(Film "rgb" "integer xresolution" 65536 "integer yresolution" 65536)",
+         "1:6: found 65536 x 65536 pixels, expected at most 2147483647 in all"},
+        {R"(Film "rgb" "integer xresolution" 65537)",
+         "1:34: found 65537 for parameter \"xresolution\", expected at most 65536"},
+        {R"(Film "rgb" "integer yresolution" 65537)",
+         "1:34: found 65537 for parameter \"yresolution\", expected at most 65536"},
+        {R"(Sampler "independent" "integer pixelsamples" 16777217)",
+         "1:46: found 16777217 for parameter \"pixelsamples\", expected at most 16777216"},
+        {R"(Sampler "paddedsobol" "integer pixelsamples" 16777217)",
+         "1:46: found 16777217 for parameter \"pixelsamples\", expected at most 16777216"},
+        {R"(Scale 1e-120 1e-120 1e-120 Camera "perspective")",
+         "1:35: found a camera under a transformation without inverse, expected another one"},
+        {R"(Translate -1.5e15 0 2 Camera "perspective")",
+         "1:30: found a camera at (1.5e+15, 0, -2), expected coordinates from -1e15 to 1e15 in world space"},
         {R"(Film "rgb" "float iso" 1e60)",
          "1:6: found an ISO speed of 1e+60, expected a number that single precision holds"},
         {R"(Film "rgb" "string sensor" "nikon_d850")",
@@ -156,7 +176,7 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
         {R"(Film "rgb" "string sensor" "cie1932")",
          "1:28: found unknown sensor \"cie1932\", expected a known one (nearest known name: \"cie1931\")"},
         {R"(Sampler "stratified" "integer xsamples" 65536 "integer ysamples" 65536)",
-         "1:9: found 65536 x 65536 samples, expected at most 2147483647 in all"},
+         "1:9: found 65536 x 65536 samples, expected at most 16777216 in all"},
         {R"(Sampler "paddedsobol" "string randomization" "none")",
          "1:46: found randomization \"none\", expected a supported one (known to pbrt-v4 and not yet supported here; "
          "supported: owen, fastowen)"},

@@ -158,15 +158,22 @@ TEST(SceneShapes, RefusesWhatIsNoShape) {
          "53: found parameter \"N\" of length 1, expected length 3, that of \"P\""},
         {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "point2 uv" [0 0 1 1])",
          "53: found parameter \"uv\" of length 2, expected length 3, that of \"P\""},
-        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1e39 0])",
-         "46: found (0, 1e+39, 0) in world space for parameter \"P\", expected coordinates that single precision "
-         "holds"},
+        {R"(Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1.1e15 0])",
+         "46: found (0, 1.1e+15, 0) in world space for parameter \"P\", expected coordinates from -1e15 to 1e15 in "
+         "world "
+         "space"},
         {R"(Shape "trianglemesh" "vector3 P" [0 0 0 1 0 0 0 1 0])",
          "22: found type \"vector3\" of parameter \"P\" of shape \"trianglemesh\", expected point3"},
         {R"(Shape "sphere" "float radius" -1)",
          "31: found -1 for parameter \"radius\" of shape \"sphere\", expected a number above 0"},
         {R"(Shape "sphere" "float radius" 1e39)",
-         "7: found a sphere that reaches to 1e+39 in world space, expected coordinates that single precision holds"},
+         "7: found a sphere that reaches to 1e+39, expected coordinates from -1e15 to 1e15 in world space"},
+        {R"(Translate 0 9e14 0 Shape "sphere" "float radius" 2e14)",
+         "26: found a sphere that reaches to 1.1e+15, expected coordinates from -1e15 to 1e15 in world space"},
+        {R"(Scale 1e-120 1e-120 1e-120 Shape "sphere")",
+         "34: found a sphere under a transformation without inverse, expected another one"},
+        {R"(Scale 1e-120 1e-120 1e-120 Shape "trianglemesh" "normal N" [0 0 1 0 0 1 0 0 1] "point3 P" [0 0 0 1 0 0 0 1 0])",
+         "49: found normals under a transformation without inverse, expected another one"},
         {R"(Shape "sphere" "float radius" 2 "float zmin" -1)",
          "46: found -1 for parameter \"zmin\" of shape \"sphere\", expected -2 or below (others are known to pbrt-v4 "
          "and not "
