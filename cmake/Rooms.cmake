@@ -3,6 +3,7 @@
 function(emulsion_room name)
   cmake_parse_arguments(room "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   add_library(emulsion_${name} STATIC ${sources})
   add_library(emulsion::${name} ALIAS emulsion_${name})
   target_include_directories(emulsion_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
@@ -12,12 +13,11 @@ function(emulsion_room name)
   target_compile_features(emulsion_${name} PUBLIC cxx_std_20)
 endfunction()
 
-# The `emulsion` program: src/cli, one file per subcommand.
+# The `emulsion` program: the room src/cli and its main.cpp.
 function(emulsion_program)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
-  add_executable(emulsion ${sources})
-  target_compile_definitions(emulsion PRIVATE EMULSION_VERSION="${PROJECT_VERSION}")
-  target_link_libraries(emulsion PRIVATE emulsion_settings emulsion::develop emulsion::pathtracer CLI11::CLI11)
+  target_compile_definitions(emulsion_cli PUBLIC EMULSION_VERSION="${PROJECT_VERSION}")
+  add_executable(emulsion ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
+  target_link_libraries(emulsion PRIVATE emulsion_settings emulsion::cli CLI11::CLI11)
 endfunction()
 
 # One test program per room: test_film of tests/film/*.cpp, its cases found by ctest.

@@ -1,6 +1,7 @@
 #include "cli/loss_warnings.h"
 
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -40,6 +41,22 @@ void warn_of_losses(const Film& film) {
     if (const auto count = film.saturated_pixels(); count > 0) {
         print_warning(fmt::format("{} pixels have left the range of the film's sums", count));
     }
+}
+
+std::vector<std::string> exr_losses(const ExrWriteResult& written, PixelType pixel_type) {
+    std::vector<std::string> losses;
+    if (written.clamped_count > 0) {
+        const bool is_half = pixel_type == PixelType::half;
+        losses.push_back(fmt::format(
+            "{} channel values are too large for {}-bit floats and were stored as {}, the "
+            "largest, with their sign",
+            written.clamped_count, is_half ? 16 : 32, is_half ? 65504.0f : std::numeric_limits<float>::max()));
+    }
+    if (written.non_finite_count > 0) {
+        losses.push_back(
+            fmt::format("{} channel values are NaN or infinite and were stored as such", written.non_finite_count));
+    }
+    return losses;
 }
 
 }  // namespace emulsion::cli

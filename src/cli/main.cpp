@@ -63,7 +63,10 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return program.exit(success);  // --help, --version
     } catch (const CLI::ParseError& error) {
-        print_error(error.what());
+        // CLI11 would only miss a subcommand, and not say what it found in its place.
+        const std::string first = argc > 1 ? argv[1] : "-";
+        const bool unknown = first.front() != '-' && first != "render" && first != "develop";
+        print_error(unknown ? "found the subcommand \"" + first + "\", expected render or develop" : error.what());
         return kBadUsage;
     }
     return render.chosen() ? render.run(command_line_text(argc, argv)) : develop.run();

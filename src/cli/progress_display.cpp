@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "cli/messages.h"
@@ -13,7 +14,7 @@ namespace emulsion::cli {
 
 namespace {
 
-constexpr int kBarWidth = 30;
+constexpr int kMostBarWidth = 30, kLeastBarWidth = 5;
 constexpr std::chrono::milliseconds kBarInterval{100}, kLineInterval{5000};
 
 std::string minutes_text(double seconds) {
@@ -22,25 +23,34 @@ std::string minutes_text(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
+/// The width of the terminal on standard error; 80 if it does not say.
+int terminal_columns() {
+    winsize size{};
+    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+    return size.ws_col;
+}
+
 }  // namespace
 
 ProgressStyle progress_style_for_stderr() {
     return ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
-std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int bar_width) {
+std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int columns) {
     const double share = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
     const double rate = elapsed_s > 0.0 ? static_cast<double>(done) / elapsed_s : 0.0;
-    std::string text;
-    if (bar_width > 0) {
-        const auto filled = static_cast<std::size_t>(share * bar_width);
-        text = fmt::format("[{}{}] ", std::string(filled, '#'),
-                           std::string(static_cast<std::size_t>(bar_width) - filled, '.'));
-    }
-    text += fmt::format("{:3.0f}%  {:.1f} of {:.1f} Msamples  {:.2f} Msamples/s", std::floor(100.0 * share),
-                        static_cast<double>(done) * 1e-6, static_cast<double>(total) * 1e-6, rate * 1e-6);
+    std::string text = fmt::format("{:3.0f}%  {:.1f} of {:.1f} Msamples  {:.2f} Msamples/s", std::floor(100.0 * share),
+                                   static_cast<double>(done) * 1e-6, static_cast<double>(total) * 1e-6, rate * 1e-6);
     if (rate > 0.0 && done < total) text += "  " + minutes_text(static_cast<double>(total - done) / rate) + " left";
-    return text;
+    if (columns == 0) return text;
+
+    // The last column stays free: some terminals go on to the next line as soon as it is written.
+    const int room = columns - 1 - static_cast<int>(text.size()) - 3;
+    const int width = std::min(room, kMostBarWidth);
+    if (width < kLeastBarWidth) return text.substr(0, static_cast<std::size_t>(std::max(columns - 1, 0)));
+    const int filled = static_cast<int>(share * width);
+    return "[" + std::string(static_cast<std::size_t>(filled), '#') +
+           std::string(static_cast<std::size_t>(width - filled), '.') + "] " + text;
 }
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style, const RenderProgress& progress, std::int64_t total_samples) {
@@ -69,7 +79,8 @@ void ProgressDisplay::run(ProgressStyle style, const RenderProgress& progress, s
         const std::int64_t done = progress.samples_done.load();
         if (style == ProgressStyle::bar) {
             // "\033[K" clears what a longer line before has left.
-            print_progress(fmt::format("\r{}\033[K{}", progress_text(done, total_samples, elapsed.count(), kBarWidth),
+            print_progress(fmt::format("\r{}\033[K{}",
+                                       progress_text(done, total_samples, elapsed.count(), terminal_columns()),
                                        ended ? "\n" : ""));
         } else {
             print_progress(progress_text(done, total_samples, elapsed.count(), 0) + "\n");

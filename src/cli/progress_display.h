@@ -15,9 +15,10 @@ enum class ProgressStyle { none, bar, lines };
 /// A bar if standard error is a terminal, else lines.
 [[nodiscard]] ProgressStyle progress_style_for_stderr();
 
-/// "[######....]  37%  6.2 of 16.8 Msamples  1.41 Msamples/s  0:07 left"; the bar is `bar_width` characters wide, and
-/// left out if that is 0.
-[[nodiscard]] std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int bar_width);
+/// "[####....]  37%  6.2 of 16.8 Msamples  1.41 Msamples/s  0:07 left", shorter than `columns`, so that a terminal of
+/// that width can show it again in the same place: the bar takes what room there is. With 0 columns there is no bar,
+/// and no end to the line.
+[[nodiscard]] std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int columns);
 
 /// Shows on standard error how far a render has come: a bar that moves, or a line every few seconds. Ends when
 /// destroyed.

@@ -84,7 +84,8 @@ std::string is_whole_number(const std::string& text) {
 
 /// Empty if the name is right, else what is wrong with it.
 std::string ends_in_exr(const std::string& name) {
-    if (std::filesystem::path(name).extension() == ".exr") return {};
+    const std::string extension = std::filesystem::path(name).extension();
+    if (extension == ".exr" || extension == ".EXR") return {};
     return "found \"" + name + "\", expected a name ending in .exr (--png writes a PNG)";
 }
 

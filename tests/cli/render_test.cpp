@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/progress_display.h"
 #include "film/exr_file.h"
 #include "run_program.h"
 #include "scenes.h"
@@ -19,6 +20,18 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
+
+/// Until the process has a handler of its own for the signal, as the kernel tells; at most a minute.
+void wait_until_caught(pid_t process, int signal) {
+    for (int i = 0; i < 6000; ++i) {
+        const std::string status = read_text("/proc/" + std::to_string(process) + "/status");
+        const std::size_t at = status.find("SigCgt:");
+        if (at == std::string::npos) return;
+        const std::uint64_t caught = std::stoull(status.substr(at + 7), nullptr, 16);
+        if ((caught >> (signal - 1) & 1u) != 0) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
 
 class RenderProgram : public ::testing::Test {
   protected:
@@ -118,14 +131,30 @@ TEST_F(RenderProgram, ShowsLinesWithoutTerminalAndABarWithOne) {
     EXPECT_THAT(lines.err, Not(HasSubstr("\r")));
     const ProgramResult bar = run_program_on_terminal({"render", scene_, "-o", exr_});
     EXPECT_EQ(bar.exit_code, 0);
-    EXPECT_THAT(bar.err, HasSubstr("\r[##############################] 100%"));
+    EXPECT_THAT(bar.err, ::testing::ContainsRegex("\r\\[#+\\] 100%"));
     EXPECT_THAT(bar.err, HasSubstr("Msamples/s"));
+}
+
+TEST(ProgressText, IsShorterThanTheTerminal) {
+    for (int columns = 1; columns < 200; ++columns) {
+        for (const std::int64_t done : {0, 1000, 123456789, 200000000}) {
+            const std::string text = cli::progress_text(done, 200000000, 12.3, columns);
+            EXPECT_LT(text.size(), static_cast<std::size_t>(columns));
+        }
+    }
+    EXPECT_EQ(cli::progress_text(50000000, 200000000, 10.0, 90),
+              "[#######.......................]  25%  50.0 of 200.0 Msamples  5.00 Msamples/s  0:30 left");
+    EXPECT_EQ(cli::progress_text(50000000, 200000000, 10.0, 80),
+              "[#####...............]  25%  50.0 of 200.0 Msamples  5.00 Msamples/s  0:30 left");
+    EXPECT_EQ(cli::progress_text(50000000, 200000000, 10.0, 0),
+              " 25%  50.0 of 200.0 Msamples  5.00 Msamples/s  0:30 left");
 }
 
 TEST_F(RenderProgram, InterruptedItWritesWhatThereIs) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const auto interrupt = [signal](pid_t child) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+            wait_until_caught(child, signal);
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
             ::kill(child, signal);
         };
         const auto start = std::chrono::steady_clock::now();
