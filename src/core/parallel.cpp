@@ -11,7 +11,58 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
+#ifdef __SANITIZE_THREAD__
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#endif
+
 namespace emulsion {
+
+namespace {
+
+#ifdef __SANITIZE_THREAD__
+
+/// The loop on plain threads. TBB is not built with the thread sanitizer, which would take every body for unordered
+/// with what comes before and after the loop.
+void run_loop(std::int64_t begin, std::int64_t end, int threads, const std::function<void(int)>& body) {
+    std::atomic<std::int64_t> next{begin};
+    std::exception_ptr first_exception;
+    std::mutex mutex;
+    const auto work = [&] {
+        for (std::int64_t i = next++; i < end; i = next++) {
+            try {
+                body(static_cast<int>(i));
+            } catch (...) {
+                const std::scoped_lock lock(mutex);
+                if (!first_exception) first_exception = std::current_exception();
+                next = end;
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> workers;
+        for (int i = 1; i < threads; ++i) workers.emplace_back(work);
+        work();
+    }
+    if (first_exception) std::rethrow_exception(first_exception);
+}
+
+#else
+
+void run_loop(std::int64_t begin, std::int64_t end, int threads, const std::function<void(int)>& body) {
+    oneapi::tbb::task_arena arena(threads);
+    arena.execute([&] {
+        oneapi::tbb::parallel_for(
+            begin, end, [&](std::int64_t i) { body(static_cast<int>(i)); }, oneapi::tbb::simple_partitioner{});
+    });
+}
+
+#endif
+
+}  // namespace
 
 void parallel_for(int begin, int end, int threads, const std::function<void(int)>& body) {
     if (threads < 0) throw std::invalid_argument("threads " + std::to_string(threads) + ": must be at least 0");
@@ -23,13 +74,8 @@ void parallel_for(int begin, int end, int threads, const std::function<void(int)
     using Control = oneapi::tbb::global_control;
     const std::size_t available = Control::active_value(Control::max_allowed_parallelism);
     const bool all = threads == 0 || static_cast<std::size_t>(threads) > available;
-    oneapi::tbb::task_arena arena(all ? static_cast<int>(available) : threads);
     // 64-bit indices, because end - begin need not fit into an int.
-    arena.execute([&] {
-        oneapi::tbb::parallel_for(
-            std::int64_t{begin}, std::int64_t{end}, [&](std::int64_t i) { body(static_cast<int>(i)); },
-            oneapi::tbb::simple_partitioner{});
-    });
+    run_loop(begin, end, all ? static_cast<int>(available) : threads, body);
 }
 
 int hardware_threads() noexcept { return oneapi::tbb::info::default_concurrency(); }
