@@ -15,6 +15,9 @@ struct Accelerator::Embree {
     int packet_width = 4;
     std::vector<std::unique_ptr<PreparedSphere>> spheres;  // Embree keeps their addresses
 
+    Embree() = default;
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
     ~Embree() {
         if (scene != nullptr) rtcReleaseScene(scene);
         if (device != nullptr) rtcReleaseDevice(device);

@@ -29,7 +29,7 @@ void embree_occluded(const int* valid, RTCScene scene, Rays& rays) noexcept {
 
 template <int Width, class Rays>
 void embree_intersect(const int* valid, RTCScene scene, Rays& rays) noexcept {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     if constexpr (Width == 16) rtcIntersect16(valid, scene, &context, &rays);
     if constexpr (Width == 8) rtcIntersect8(valid, scene, &context, &rays);
@@ -38,7 +38,7 @@ void embree_intersect(const int* valid, RTCScene scene, Rays& rays) noexcept {
 
 template <int Width, class Rays>
 void embree_occluded(const int* valid, RTCScene scene, Rays& rays) noexcept {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     if constexpr (Width == 16) rtcOccluded16(valid, scene, &context, &rays);
     if constexpr (Width == 8) rtcOccluded8(valid, scene, &context, &rays);

@@ -39,16 +39,22 @@ std::optional<double> similarity_scale(const Imath::M44d& m) noexcept {
     return std::nullopt;
 }
 
+float largest_coordinate(const Imath::Box3f& box) noexcept {
+    float largest = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        largest = std::max({largest, std::abs(box.min[axis]), std::abs(box.max[axis])});
+    }
+    return largest;
+}
+
 }  // namespace
 
 PreparedSphere::PreparedSphere(const Sphere& sphere)
     : world_from_object(sphere.world_from_object),
       object_from_world(sphere.world_from_object.inverse(true)),
       radius(sphere.radius),
-      flip_normal(sphere.flip_normal) {
-    const Imath::Box3f box = bounds(*this);
-    extent = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) extent = std::max({extent, std::abs(box.min[axis]), std::abs(box.max[axis])});
+      flip_normal(sphere.flip_normal),
+      extent(largest_coordinate(bounds(*this))) {
     if (const auto scale = similarity_scale(world_from_object)) {
         world_centre = world_from_object.translation();
         world_radius = radius * *scale;

@@ -34,7 +34,7 @@ struct PreparedSphere {
 struct SpherePoint {
     Imath::V3d position, normal;
     /// World-space area per area of the object-space sphere about this point.
-    double area_stretch;
+    double area_stretch = 1.0;
 };
 
 /// The surface point that `direction` of object space (any length but 0) leads to from the centre.
