@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -45,15 +44,6 @@ const RgbSpace& rgb_space(std::string_view name) {
     }
     throw std::invalid_argument(fmt::format("RGB space \"{}\" is unknown: expected one of {}", name,
                                             listed(data_table("rgb_colourspaces").row_names)));
-}
-
-XYZd xyz_of(const Chromaticity& chromaticity) {
-    const auto [x, y] = chromaticity;
-    if (!std::isfinite(x) || !std::isfinite(y) || y == 0.0) {
-        throw std::invalid_argument(
-            fmt::format("chromaticity ({}, {}): expected finite numbers, y other than 0", x, y));
-    }
-    return {x / y, 1.0, (1.0 - x - y) / y};
 }
 
 Matrix3 xyz_from_rgb(const RgbSpace& space) {

@@ -7,15 +7,11 @@
 
 #include "core/color.h"
 #include "core/matrix3.h"
+#include "spectrum/chromaticity.h"
 
 namespace emulsion {
 
-/// CIE 1931 x and y.
-struct Chromaticity {
-    double x = 0.0, y = 0.0;
-    bool operator==(const Chromaticity&) const = default;
-};
-
+/// Chromaticities are CIE 1931 x and y.
 struct RgbSpace {
     std::string name;
     Chromaticity red, green, blue, white;
@@ -25,10 +21,6 @@ struct RgbSpace {
 /// A space of data/rgb_colourspaces.csv, in any case: "sRGB", "Rec709", "Rec2020", "Display_P3", ...
 /// \throws std::invalid_argument for an unknown name, listing those that exist.
 [[nodiscard]] const RgbSpace& rgb_space(std::string_view name);
-
-/// XYZ with Y = 1.
-/// \throws std::invalid_argument if y is 0 or a coordinate is not finite.
-[[nodiscard]] XYZd xyz_of(const Chromaticity& chromaticity);
 
 /// Columns are the XYZ of the primaries, scaled to sum to the white with Y = 1.
 /// \throws std::invalid_argument if the primaries lie on one line.
