@@ -28,7 +28,7 @@ function(emulsion_test_room name)
     return()
   endif()
   add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} GTest::gmock_main)
+  target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} emulsion_test_support GTest::gmock_main)
   target_compile_definitions(test_${name} PRIVATE
     EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EMULSION_PROGRAM="$<TARGET_FILE:emulsion>")
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST

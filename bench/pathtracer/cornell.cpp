@@ -26,7 +26,7 @@ PreparedScene& cornell_box() {
         scene.film.width_px = scene.film.height_px = kSize_px;
         scene.sampler = IndependentSampler{};
         scene.filter = BoxFilter{};
-        return PreparedScene(std::move(scene), 1);
+        return PreparedScene(std::move(scene), 0);
     }();
     return prepared;
 }

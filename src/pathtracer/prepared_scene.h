@@ -27,7 +27,8 @@ struct LightPowers {
 
 class PreparedScene {
   public:
-    /// Takes the scene over. `threads` as in parallel_for.
+    /// Takes the scene over. `threads` as in parallel_for; renders of the scene use no more of them than this, since
+    /// Embree keeps oneTBB to that number while it holds the scene.
     /// \throws std::invalid_argument naming what is out of range; std::runtime_error if Embree fails.
     PreparedScene(Scene scene, int threads);
 

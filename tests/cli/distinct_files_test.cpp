@@ -8,6 +8,7 @@
 
 #include "run_program.h"
 #include "scenes.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion::testing {
 namespace {

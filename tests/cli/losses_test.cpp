@@ -7,6 +7,7 @@
 #include "film/exr_file.h"
 #include "run_program.h"
 #include "scenes.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion::testing {
 namespace {

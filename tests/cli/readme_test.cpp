@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "run_program.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion::testing {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 // Runs the `emulsion` program as a user's shell would, and gives back what it said.
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,25 +24,5 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const RunOp
 
 /// The same with standard error on a terminal; what it shows there is in `err`.
 ProgramResult run_program_on_terminal(const std::vector<std::string>& arguments);
-
-/// A new, empty folder that is removed again.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-    /// Names of all files in it, hidden ones too, in order.
-    [[nodiscard]] std::vector<std::string> names() const;
-
-  private:
-    std::filesystem::path path_;
-};
-
-[[nodiscard]] std::string read_text(const std::filesystem::path& path);
-void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace emulsion::testing

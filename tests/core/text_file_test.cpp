@@ -1,12 +1,12 @@
 #include "core/text_file.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion {
 namespace {
@@ -15,27 +15,26 @@ using testing::HasSubstr;
 using testing::Property;
 using testing::Throws;
 
-std::filesystem::path folder() { return std::filesystem::path(testing::TempDir()) / "emulsion_text_file_test"; }
-
 auto throws_io_error(const std::string& reason) {
     return Throws<IoError>(Property(&IoError::reason, HasSubstr(reason)));
 }
 
 TEST(ReadTextFile, GivesEveryByte) {
-    std::filesystem::create_directories(folder());
-    const std::filesystem::path path = folder() / "bytes.txt";
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "bytes.txt";
     std::string content;
     for (int i = 0; i < 200001; ++i) content += static_cast<char>(i % 251);
-    std::ofstream(path, std::ios::binary) << content;
+    write_text(path, content);
     EXPECT_EQ(read_text_file(path), content);
-    std::ofstream(path, std::ios::binary).flush();
+    write_text(path, "");
     EXPECT_EQ(read_text_file(path), "");
-    std::filesystem::remove_all(folder());
 }
 
 TEST(ReadTextFile, SaysWhyItCant) {
-    EXPECT_THAT([] { static_cast<void>(read_text_file(folder() / "none.txt")); }, throws_io_error("no such file"));
-    EXPECT_THAT([] { static_cast<void>(read_text_file(testing::TempDir())); }, throws_io_error("is a folder"));
+    const TemporaryFolder folder;
+    EXPECT_THAT([&] { static_cast<void>(read_text_file(folder.path() / "none.txt")); },
+                throws_io_error("no such file"));
+    EXPECT_THAT([&] { static_cast<void>(read_text_file(folder.path())); }, throws_io_error("is a folder"));
     EXPECT_THAT([] { static_cast<void>(read_text_file("/dev/zero")); }, throws_io_error("no file that can be read"));
 }
 

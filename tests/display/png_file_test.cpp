@@ -4,10 +4,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +20,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion {
 namespace {
@@ -31,25 +29,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A folder of its own for each test, removed afterwards.
 class PngFile : public testing::Test {
   protected:
-    PngFile() {
-        std::string name = (std::filesystem::temp_directory_path() / "emulsion-png-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    ~PngFile() override { std::filesystem::remove_all(folder_); }
-
-    [[nodiscard]] std::filesystem::path file(std::string_view name) const { return folder_ / name; }
-    [[nodiscard]] std::vector<std::string> files() const {
-        std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_)) names.push_back(entry.path().filename());
-        return names;
-    }
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_.file(name); }
+    [[nodiscard]] std::vector<std::string> files() const { return folder_.names(); }
 
   private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 Image<CodeRGB> random_image(int width, int height) {
@@ -61,11 +47,6 @@ Image<CodeRGB> random_image(int width, int height) {
              static_cast<std::uint8_t>(bits >> 16u)};
     }
     return image;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 std::uint32_t big_endian(std::string_view bytes) {
@@ -121,7 +102,7 @@ TEST_F(PngFile, ReadsBackAsWritten) {
 
 TEST_F(PngFile, SaysThatItIsSrgb) {
     write_png(file("a.png"), random_image(5, 4));
-    const std::vector<Chunk> chunks = chunks_of(bytes_of(file("a.png")));
+    const std::vector<Chunk> chunks = chunks_of(read_text(file("a.png")));
     EXPECT_EQ(data_of(chunks, "sRGB"), std::string(1, '\1'));  // relative colorimetric
     EXPECT_EQ(big_endian(data_of(chunks, "gAMA")), 45455u);
     const std::string chromaticities = data_of(chunks, "cHRM");
@@ -134,7 +115,7 @@ TEST_F(PngFile, SaysThatItIsSrgb) {
 TEST_F(PngFile, CarriesText) {
     const PngOptions options{{{"Pipeline", "tonemap=max-to-white"}, {"Command Line", "render caf\xc3\xa9"}}};
     write_png(file("a.png"), random_image(5, 4), options);
-    const std::vector<Chunk> chunks = chunks_of(bytes_of(file("a.png")));
+    const std::vector<Chunk> chunks = chunks_of(read_text(file("a.png")));
     using std::string_literals::operator""s;
     EXPECT_EQ(data_of(chunks, "tEXt"), "Pipeline\0tonemap=max-to-white"s);
     EXPECT_EQ(data_of(chunks, "iTXt"), "Command Line\0\0\0\0\0render caf\xc3\xa9"s);
@@ -144,7 +125,7 @@ TEST_F(PngFile, SamePictureSameBytes) {
     const PngOptions options{{{"Pipeline", "x"}}};
     write_png(file("a.png"), random_image(64, 64), options);
     write_png(file("b.png"), random_image(64, 64), options);
-    EXPECT_EQ(bytes_of(file("a.png")), bytes_of(file("b.png")));
+    EXPECT_EQ(read_text(file("a.png")), read_text(file("b.png")));
 }
 
 TEST_F(PngFile, RejectsBadArguments) {
@@ -197,19 +178,17 @@ TEST_F(PngFile, FullDiskLeavesWhatWasThere) {
     const Image<CodeRGB> image = random_image(200, 200);
     write_png(file("whole.png"), image);
     const auto size = std::filesystem::file_size(file("whole.png"));
-    std::ofstream(file("old.png")) << "old";
+    write_text(file("old.png"), "old");
     for (const auto limit : {std::uintmax_t{1}, std::uintmax_t{5000}, size / 2, size - 1}) {
         EXPECT_EQ(status_with_file_limit(file("new.png"), image, limit), 0) << limit;
         EXPECT_EQ(status_with_file_limit(file("old.png"), image, limit), 0) << limit;
     }
-    EXPECT_EQ(bytes_of(file("old.png")), "old");
-    std::vector<std::string> names = files();
-    std::sort(names.begin(), names.end());
-    EXPECT_THAT(names, ElementsAre("old.png", "whole.png"));
+    EXPECT_EQ(read_text(file("old.png")), "old");
+    EXPECT_THAT(files(), ElementsAre("old.png", "whole.png"));
 }
 
 TEST_F(PngFile, ReplacesAnOldFile) {
-    std::ofstream(file("a.png")) << "old";
+    write_text(file("a.png"), "old");
     const Image<CodeRGB> image = random_image(3, 3);
     write_png(file("a.png"), image);
     EXPECT_EQ(read_back(file("a.png")), image);

@@ -41,7 +41,7 @@ TEST_F(ExrFile, MissingFoldersAndOtherFilesAreIoErrors) {
 TEST_F(ExrFile, TruncatedFilesAreRefusedWhereverTheyEnd) {
     for (const ExrOptions& options : kAllOptions) {
         write_exr(file("whole.exr"), picture(20, 40), metadata(), options);
-        const std::string whole = contents(file("whole.exr"));
+        const std::string whole = read_text(file("whole.exr"));
         for (std::size_t size = 0; size < whole.size(); size += size + 30 < whole.size() ? 17 : 1) {
             write_bytes(file("cut.exr"), whole.substr(0, size));
             ASSERT_THAT([&] { static_cast<void>(read_exr(file("cut.exr"))); }, throws_io_error(file("cut.exr")))
@@ -72,7 +72,7 @@ TEST_F(ExrFile, UnfinishedFilesAreRefused) {
 TEST_F(ExrFile, FlippedBitsNeverCrash) {
     for (const ExrOptions& options : kAllOptions) {
         write_exr(file("whole.exr"), picture(20, 40), metadata(), options);
-        const std::string whole = contents(file("whole.exr"));
+        const std::string whole = read_text(file("whole.exr"));
         int refused = 0;
         const std::size_t step = options == kAllOptions.back() ? 1 : 23;
         for (std::size_t bit = 0; bit < 8 * whole.size(); bit += bit < 8 * std::size_t{1000} ? step : 211) {
@@ -102,7 +102,7 @@ std::string with_window(std::string bytes, std::array<std::int32_t, 4> window) {
 TEST_F(ExrFile, AbsurdDataWindowsAreRefusedBeforeAnyAllocation) {
     for (const ExrOptions& options : kAllOptions) {
         write_exr(file("whole.exr"), picture(20, 40), metadata(), options);
-        const std::string whole = contents(file("whole.exr"));
+        const std::string whole = read_text(file("whole.exr"));
         constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
         constexpr std::int32_t kMin = std::numeric_limits<std::int32_t>::min();
         const std::vector<std::array<std::int32_t, 4>> windows = {

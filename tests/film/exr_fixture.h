@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,6 +14,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "film/exr_file.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion {
 
@@ -24,19 +22,11 @@ namespace fs = std::filesystem;
 
 class ExrFile : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "emulsion-exr-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
-    [[nodiscard]] std::size_t files_in_folder() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
+    [[nodiscard]] fs::path file(const std::string& name) const { return folder_.file(name); }
+    [[nodiscard]] std::size_t files_in_folder() const { return folder_.names().size(); }
 
   private:
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 /// Values of every size, some negative, with the largest half at hand.
@@ -67,15 +57,10 @@ inline const std::vector<ExrOptions> kAllOptions = [] {
     return all;
 }();
 
-inline std::string contents(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 /// A new file each time: some file systems flush one that is overwritten to disk, and these tests write thousands.
 inline void write_bytes(const fs::path& path, const std::string& bytes) {
     fs::remove(path);
-    std::ofstream(path, std::ios::binary) << bytes;
+    write_text(path, bytes);
 }
 
 /// IoError of one line that starts with the path.

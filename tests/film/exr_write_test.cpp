@@ -158,7 +158,7 @@ TEST_F(ExrFile, FullDiskLeavesTheOldFileAndNoPartOfTheNew) {
         for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{100}, size / 2, size - 1}) {
             write_bytes(file("old.exr"), "old");
             EXPECT_EXIT(write_with_limit(file("old.exr"), options, limit), testing::ExitedWithCode(0), "") << limit;
-            EXPECT_EQ(contents(file("old.exr")), "old");
+            EXPECT_EQ(read_text(file("old.exr")), "old");
             EXPECT_EQ(files_in_folder(), 2u);
         }
         EXPECT_EXIT(write_with_limit(file("old.exr"), options, size), testing::ExitedWithCode(1), "")

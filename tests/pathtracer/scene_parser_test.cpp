@@ -1,7 +1,6 @@
 #include "pathtracer/scene_parser.h"
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include "core/error.h"
 #include "scene_text.h"
 #include "spectrum/colorimetry.h"
+#include "support/temporary_folder.h"
 
 namespace emulsion {
 namespace {
@@ -127,7 +127,8 @@ TEST(SceneParser, TakesAWholeScene) {
 }
 
 TEST(SceneParser, ReadsFilesOrSaysWhyNot) {
-    const std::filesystem::path folder = ::testing::TempDir();
+    const TemporaryFolder temporary;
+    const std::filesystem::path& folder = temporary.path();
     const auto reason_of = [](const std::filesystem::path& path) -> std::string {
         try {
             static_cast<void>(read_scene(path));
@@ -141,15 +142,14 @@ TEST(SceneParser, ReadsFilesOrSaysWhyNot) {
     EXPECT_EQ(reason_of(folder), "is a folder, not a text file");
     EXPECT_EQ(reason_of("/dev/zero"), "is no file that can be read");
 
-    const std::filesystem::path empty = folder / "emulsion-empty.pbrt";
-    std::ofstream(empty).close();
+    const std::filesystem::path empty = folder / "empty.pbrt";
+    write_text(empty, "");
     try {
         static_cast<void>(read_scene(empty));
         FAIL();
     } catch (const SceneError& error) {
         EXPECT_EQ(error.what(), empty.string() + ":1:1: found the end of the file, expected WorldBegin");
     }
-    std::filesystem::remove(empty);
 }
 
 TEST(SceneParser, ReadsTheCornellBox) {

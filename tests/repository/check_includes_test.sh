@@ -48,6 +48,8 @@ plant src/pathtracer/planted.h '#include"develop/pipeline.h"' 'pathtracer may in
 plant src/develop/planted.cpp '#include "pathtracer/scene.h"' 'develop may include:'
 plant tests/tonemap/planted_test.cpp '#include "film/film.h"' 'tonemap may include: core'
 plant bench/core/planted.cpp '#include "spectrum/spectrum.h"' 'core may include:'
+plant src/film/planted.cpp '#include "support/temporary_folder.h"' 'film may include: core spectrum'
+plant tests/support/planted.h '#include "film/film.h"' 'core may include:'
 plant src/film/planted.cpp '#include "filter.h"' 'expected a path from src'
 plant src/film/planted.cpp '#include "../tonemap/tone_mapper.h"' 'expected a path from src'
 plant src/film/planted.cpp '#include "film/no_such_header.h"' 'no such header in src'
