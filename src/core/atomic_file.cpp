@@ -123,7 +123,11 @@ void check_writable(const std::filesystem::path& path) { const AtomicFile probe(
 
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     const auto place = [](const std::filesystem::path& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(link_target(path)));
+        std::error_code error;
+        std::filesystem::path found = std::filesystem::absolute(link_target(path), error);
+        if (!error) found = std::filesystem::weakly_canonical(found, error);
+        if (error) throw IoError(path, "cannot be looked up: " + error.message());
+        return found;
     };
     return place(a) == place(b);
 }

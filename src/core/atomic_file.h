@@ -41,8 +41,7 @@ class AtomicFile {
 void check_writable(const std::filesystem::path& path);
 
 /// Whether writing one of the two replaces the other. Neither needs to exist; symbolic links, "." and ".." are
-/// followed. \throws IoError for a circle of links, and std::filesystem::filesystem_error if a folder can't be looked
-/// into.
+/// followed. \throws IoError for a circle of links, and if a folder can't be looked into.
 [[nodiscard]] bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace emulsion

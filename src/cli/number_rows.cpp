@@ -1,0 +1,106 @@
+#include "cli/number_rows.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "core/text_file.h"
+
+namespace emulsion::cli {
+
+namespace {
+
+constexpr std::string_view kStandardInput = "standard input";
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+    // A comma or semicolon ends a cell, which may be empty; blanks only part what they lie between.
+    std::vector<std::string_view> cells;
+    constexpr std::string_view kBlanks = " \t\r", kAll = " \t\r,;";
+    std::size_t at = line.find_first_not_of(kBlanks);
+    while (at != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(kAll, at), line.size());
+        cells.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(kBlanks, end);
+        if (at == std::string_view::npos || (line[at] != ',' && line[at] != ';')) continue;
+        at = line.find_first_not_of(kBlanks, at + 1);
+        if (at == std::string_view::npos) cells.emplace_back();  // the line ends with its separator
+    }
+    return cells;
+}
+
+std::optional<double> number_of(std::string_view cell) {
+    if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::string read_standard_input() {
+    std::string text;
+    char buffer[1 << 16];
+    errno = 0;
+    for (std::size_t size = 0; (size = std::fread(buffer, 1, sizeof buffer, stdin)) > 0;) text.append(buffer, size);
+    if (std::ferror(stdin) != 0) throw IoError(std::string(kStandardInput), "reading failed: " + errno_text(errno));
+    return text;
+}
+
+}  // namespace
+
+NumberRows parse_number_rows(std::string_view text, std::string_view source,
+                             std::span<const std::string_view> columns) {
+    NumberRows rows{columns.size(), {}, ' '};
+    std::size_t line_number = 0, row_number = 0;
+    const auto fail = [&](const std::string& problem) {
+        throw IoError(std::string(source), fmt::format("row {} (line {}): {}", row_number, line_number, problem));
+    };
+    bool is_first = true;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        ++line_number;
+        const std::vector<std::string_view> cells = cells_of(line);
+        if (cells.empty() || cells.front().starts_with('#')) continue;
+
+        const bool may_be_names = std::exchange(is_first, false);
+        if (may_be_names && line.find(',') != std::string_view::npos) rows.separator = ',';
+        if (may_be_names && cells.size() == columns.size() && std::none_of(cells.begin(), cells.end(), number_of)) {
+            continue;
+        }
+        ++row_number;
+        if (cells.size() != columns.size()) {
+            fail(fmt::format("found {} cell{}, expected {}: {}", cells.size(), cells.size() == 1 ? "" : "s",
+                             columns.size(), fmt::join(columns, " ")));
+        }
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const std::optional<double> value = number_of(cells[i]);
+            if (!value) fail(fmt::format("found \"{}\" for {}, expected a finite number", cells[i], columns[i]));
+            rows.values.push_back(*value);
+        }
+    }
+    return rows;
+}
+
+NumberRows read_number_rows(const std::optional<std::filesystem::path>& file,
+                            std::span<const std::string_view> columns) {
+    if (file && *file != "-") return parse_number_rows(read_text_file(*file), file->string(), columns);
+    return parse_number_rows(read_standard_input(), kStandardInput, columns);
+}
+
+std::string number_row_text(std::span<const double> row, char separator) {
+    std::string text;
+    for (const double value : row) {
+        if (!text.empty()) text += separator;
+        text += fmt::format("{:.17g}", value);
+    }
+    return text + '\n';
+}
+
+}  // namespace emulsion::cli
