@@ -1,14 +1,16 @@
 #include "spectrum/blackbody.h"
 
 #include <cmath>
+#include <cstddef>
 
 #include "core/units.h"
+#include "spectrum/spectrum_checks.h"
 
 namespace emulsion {
 
 namespace {
 
-constexpr double kSecondRadiation_nmK = 1e9 * kPlanck * kSpeedOfLight / kBoltzmann;
+constexpr double kSecondRadiation_nmK = 1e9 * kSecondRadiation_mK;
 
 // h c / (lambda k T) where lambda^-5 / (exp(x) - 1) is largest: the root of x = 5 (1 - exp(-x)) (Wien).
 constexpr double kPeakExponent = 4.965114231744276;
@@ -28,6 +30,19 @@ double relative_planck_radiance(double temperature_K, double lambda_nm) noexcept
     // right.
     if (exponent > 700.0) return 0.0;
     return std::pow(exponent / kPeakExponent, 5.0) * std::expm1(kPeakExponent) / std::expm1(exponent);
+}
+
+void eval(const BlackbodySpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
+    const double temperature_K = spectrum.temperature_K;
+    const bool is_relative = spectrum.unit == BlackbodyUnit::relative;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        values[i] =
+            is_relative ? relative_planck_radiance(temperature_K, at[i]) : planck_radiance(temperature_K, at[i]);
+    }
+}
+
+void validate(const BlackbodySpectrum& spectrum) {
+    require_positive("blackbody: temperature_K", spectrum.temperature_K);
 }
 
 }  // namespace emulsion

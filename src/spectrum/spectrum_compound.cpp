@@ -1,0 +1,134 @@
+#include "spectrum/spectrum_compound.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include <fmt/core.h>
+
+#include "spectrum/spectrum.h"
+#include "spectrum/spectrum_checks.h"
+
+namespace emulsion {
+
+namespace {
+
+std::vector<double> union_of_knots(const std::vector<Spectrum>& parts) {
+    std::vector<double> knots;
+    for (const Spectrum& part : parts) {
+        const std::vector<double> more = knots_nm(part);
+        knots.insert(knots.end(), more.begin(), more.end());
+    }
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    return knots;
+}
+
+/// Increasing, with the powers of lines at one wavelength added up.
+std::vector<Line> merged(std::vector<Line> lines) {
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const Line& a, const Line& b) { return a.lambda_nm < b.lambda_nm; });
+    std::vector<Line> result;
+    for (const Line& line : lines) {
+        if (!result.empty() && result.back().lambda_nm == line.lambda_nm) {
+            result.back().power += line.power;
+        } else {
+            result.push_back(line);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void eval(const ProductSpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
+    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> block_values) {
+        WavelengthBlock factor_values{};
+        std::fill(block_values.begin(), block_values.end(), spectrum.scale);
+        for (const Spectrum& factor : spectrum.factor) {
+            eval(factor, block, std::span(factor_values).first(block.size()));
+            for (std::size_t i = 0; i < block.size(); ++i) block_values[i] *= factor_values[i];
+        }
+    });
+}
+
+void eval(const SumSpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
+    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> block_values) {
+        WavelengthBlock term_values{};
+        std::fill(block_values.begin(), block_values.end(), 0.0);
+        for (std::size_t j = 0; j < spectrum.term.size(); ++j) {
+            eval(spectrum.term[j], block, std::span(term_values).first(block.size()));
+            for (std::size_t i = 0; i < block.size(); ++i) block_values[i] += spectrum.weight[j] * term_values[i];
+        }
+    });
+}
+
+double limit(const ProductSpectrum& spectrum, double lambda_nm, Side side) noexcept {
+    double value = spectrum.scale;
+    for (const Spectrum& factor : spectrum.factor) value *= limit(factor, lambda_nm, side);
+    return value;
+}
+
+double limit(const SumSpectrum& spectrum, double lambda_nm, Side side) noexcept {
+    double value = 0.0;
+    for (std::size_t j = 0; j < spectrum.term.size(); ++j) {
+        value += spectrum.weight[j] * limit(spectrum.term[j], lambda_nm, side);
+    }
+    return value;
+}
+
+std::vector<double> knots_nm(const ProductSpectrum& spectrum) { return union_of_knots(spectrum.factor); }
+
+std::vector<double> knots_nm(const SumSpectrum& spectrum) { return union_of_knots(spectrum.term); }
+
+std::vector<Line> delta_lines(const ProductSpectrum& spectrum) {
+    std::vector<Line> lines;
+    for (const Spectrum& factor : spectrum.factor) {
+        for (Line line : delta_lines(factor)) {
+            line.power *= spectrum.scale;
+            for (const Spectrum& other : spectrum.factor) {
+                if (&other != &factor) line.power *= eval(other, line.lambda_nm);
+            }
+            lines.push_back(line);
+        }
+    }
+    return merged(std::move(lines));
+}
+
+std::vector<Line> delta_lines(const SumSpectrum& spectrum) {
+    std::vector<Line> lines;
+    for (std::size_t j = 0; j < spectrum.term.size(); ++j) {
+        for (const Line& line : delta_lines(spectrum.term[j])) {
+            lines.push_back({line.lambda_nm, spectrum.weight[j] * line.power});
+        }
+    }
+    return merged(std::move(lines));
+}
+
+void validate(const ProductSpectrum& spectrum) {
+    require_finite("product of spectra: scale", spectrum.scale);
+    std::vector<double> wavelengths_nm;
+    for (const Spectrum& factor : spectrum.factor) {
+        validate(factor);
+        for (const Line& line : delta_lines(factor)) wavelengths_nm.push_back(line.lambda_nm);
+    }
+    std::sort(wavelengths_nm.begin(), wavelengths_nm.end());
+    const auto twice = std::adjacent_find(wavelengths_nm.begin(), wavelengths_nm.end());
+    if (twice != wavelengths_nm.end()) {
+        throw_bad_spectrum("product of spectra: lines without width in two factors, lambda_nm", *twice,
+                           "lines at different wavelengths, or Gaussian ones");
+    }
+}
+
+void validate(const SumSpectrum& spectrum) {
+    if (spectrum.weight.size() != spectrum.term.size()) {
+        throw std::invalid_argument(fmt::format("sum of spectra: {} terms and {} weights: expected as many",
+                                                spectrum.term.size(), spectrum.weight.size()));
+    }
+    for (std::size_t j = 0; j < spectrum.term.size(); ++j) {
+        require_finite(fmt::format("sum of spectra: weight[{}]", j), spectrum.weight[j]);
+        validate(spectrum.term[j]);
+    }
+}
+
+}  // namespace emulsion
