@@ -16,7 +16,7 @@
 #include "display/display_rgb.h"
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
-#include "display/transfer_function.h"
+#include "display/transfer_encoder.h"
 
 namespace emulsion {
 namespace {
@@ -56,7 +56,7 @@ Image<RGB> picture_after(int stages) {
     Image<RGB> image(kSize_px, kSize_px);
     display_rgb(rgb_from_xyz(Display{}), display_xyz().pixels(), image.pixels());
     if (stages >= 2) benchmark::DoNotOptimize(map_gamut(GamutMapper{}, image.pixels()));
-    if (stages >= 3) encode(TransferFunction{}, image.pixels());
+    if (stages >= 3) TransferEncoder(TransferFunction{})(image.pixels());
     return image;
 }
 
@@ -121,12 +121,13 @@ void transfer(benchmark::State& state) {
     const auto function = alternative_of_range<TransferFunction>(state);
     const Image<RGB> before = picture_after(2);
     Image<RGB> after = before;
-    encode(function, after.pixels());
+    const TransferEncoder encode_row(function);
+    encode_row(after.pixels());
     for (std::size_t i = 0; i < after.pixels().size(); ++i) {
         const double exact = encode(function, static_cast<double>(before.pixels()[i].r));
         if (std::abs(after.pixels()[i].r - exact) > 1.5e-7) return state.SkipWithError("off its twin");
     }
-    time_in_place(state, before, [&](std::span<RGB> row) { encode(function, row); });
+    time_in_place(state, before, [&](std::span<RGB> row) { encode_row(row); });
 }
 
 void transfer_twin(benchmark::State& state) {
@@ -156,6 +157,7 @@ void dither(benchmark::State& state) {
 void whole_chain(benchmark::State& state) {
     const auto chosen = alternative_of_range<Dither>(state);
     const Matrix3 matrix = rgb_from_xyz(Display{});
+    const TransferEncoder encode_row(TransferFunction{});
     Image<RGB> encoded(kSize_px, kSize_px);
     Image<CodeRGB> codes(kSize_px, kSize_px);
     for (auto _ : state) {
@@ -163,7 +165,7 @@ void whole_chain(benchmark::State& state) {
             const std::span<RGB> row = encoded.row(y);
             display_rgb(matrix, display_xyz().row(y), row);
             benchmark::DoNotOptimize(map_gamut(GamutMapper{}, row));
-            encode(TransferFunction{}, row);
+            encode_row(row);
         }
         quantize_into(chosen, encoded.view(), codes.view(), 1);
         benchmark::ClobberMemory();

@@ -109,7 +109,8 @@ template <NamedVariant Variant>
 template <NamedVariant Variant>
 [[nodiscard]] std::vector<NamedValueDescription> describe_named() {
     std::vector<NamedValueDescription> all;
-    for_each_alternative<Variant>([&]<class T>(const T& defaults) {
+    for_each_alternative<Variant>([&]<class T>(const T&) {
+        static const T defaults{};  // GCC 12 takes a temporary for uninitialised: no type has members of all types
         NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             description.parameters.push_back(

@@ -45,13 +45,18 @@ std::string to_text(const ParameterRange& range) {
 }
 
 std::string number_text(float value) { return shortest_text(value); }
+std::string number_text(double value) { return shortest_text(value); }
 std::string number_text(int value) { return shortest_text(value); }
 
 void parse_number(std::string_view text, std::string_view what, float& value) { parse_whole_text(text, what, value); }
+void parse_number(std::string_view text, std::string_view what, double& value) { parse_whole_text(text, what, value); }
 void parse_number(std::string_view text, std::string_view what, int& value) { parse_whole_text(text, what, value); }
 
 void check_range(float value, const ParameterRange& range, std::string_view what) {
     check(static_cast<double>(value), number_text(value), range, what);
+}
+void check_range(double value, const ParameterRange& range, std::string_view what) {
+    check(value, number_text(value), range, what);
 }
 void check_range(int value, const ParameterRange& range, std::string_view what) {
     check(static_cast<double>(value), number_text(value), range, what);

@@ -46,11 +46,11 @@ inline constexpr ParameterRange kPositive = {0.0, kInfinity, RangeEnd::open, Ran
 /// One parameter of the value type T.
 template <class T>
 struct Parameter {
-    std::string_view name;                      ///< as written in text forms: lower case, words joined by '-'
-    std::variant<float T::*, int T::*> member;  ///< where it is kept
-    ParameterRange range;                       ///< the values that it may have
-    std::string_view unit;                      ///< "cd/m^2", "px"; empty if it has none
-    std::string_view help;                      ///< one line, no full stop
+    std::string_view name;  ///< as written in text forms: lower case, words joined by '-'
+    std::variant<float T::*, double T::*, int T::*> member;  ///< where it is kept
+    ParameterRange range;                                    ///< the values that it may have
+    std::string_view unit;                                   ///< "cd/m^2", "px"; empty if it has none
+    std::string_view help;                                   ///< one line, no full stop
 };
 
 /// What --help says about a parameter.
@@ -68,17 +68,19 @@ struct ParameterDescription {
 
 /// The shortest text that parse_number reads back as the same value; "inf" and "-inf" for the infinities.
 [[nodiscard]] std::string number_text(float value);
+[[nodiscard]] std::string number_text(double value);
 [[nodiscard]] std::string number_text(int value);
 
-/// Reads the whole of `text` into `value`: decimal, with a point whatever the locale; "inf" for infinity in a float.
-/// `what` names the parameter in messages: "tonemap reinhard-global: key".
-/// \throws std::invalid_argument if the text is no number (for an int: no whole number), or too large or too small to
-/// be held.
+/// Reads the whole of `text` into `value`: decimal, with a point whatever the locale; "inf" for infinity in a float or
+/// double. `what` names the parameter in messages: "tonemap reinhard-global: key". \throws std::invalid_argument if the
+/// text is no number (for an int: no whole number), or too large or too small to be held.
 void parse_number(std::string_view text, std::string_view what, float& value);
+void parse_number(std::string_view text, std::string_view what, double& value);
 void parse_number(std::string_view text, std::string_view what, int& value);
 
 /// \throws std::invalid_argument naming `what`, the value and the range, unless the range contains the value.
 void check_range(float value, const ParameterRange& range, std::string_view what);
+void check_range(double value, const ParameterRange& range, std::string_view what);
 void check_range(int value, const ParameterRange& range, std::string_view what);
 
 }  // namespace emulsion

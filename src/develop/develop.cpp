@@ -6,6 +6,7 @@
 
 #include "core/matrix3.h"
 #include "core/row_blocks.h"
+#include "display/transfer_encoder.h"
 
 namespace emulsion {
 
@@ -18,12 +19,13 @@ XYZ narrow(const XYZd& xyz) noexcept {
 /// The three stages between tone mapping and quantization, row by row while the row is in the cache.
 GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline, Image<RGB>& encoded, int threads) {
     const Matrix3 matrix = rgb_from_xyz(pipeline.display);
+    const TransferEncoder encode_row(pipeline.transfer);
     std::vector<GamutCounts> counts(static_cast<std::size_t>(display_xyz.height()));
     parallel_for_rows(display_xyz.width(), display_xyz.height(), threads, [&](int y) {
         const std::span<RGB> row = encoded.row(y);
         display_rgb(matrix, display_xyz.row(y), row);
         counts[static_cast<std::size_t>(y)] = map_gamut(pipeline.gamut, row);
-        encode(pipeline.transfer, row);
+        encode_row(row);
     });
     GamutCounts total;
     for (const GamutCounts& row : counts) total += row;

@@ -7,7 +7,7 @@
 #include "display/display_rgb.h"
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
-#include "display/transfer_function.h"
+#include "spectrum/transfer_function.h"
 #include "tonemap/tone_mapper.h"
 
 namespace emulsion {

@@ -112,6 +112,29 @@ TEST(NamedValue, EveryFloatSurvivesItsText) {
     }
 }
 
+struct Precise {
+    static constexpr std::string_view kName = "precise";
+    static constexpr std::string_view kHelp = "a parameter in double precision";
+    double value = 2.2;
+    bool operator==(const Precise&) const = default;
+
+    static constexpr std::array kParameters = {Parameter<Precise>{"value", &Precise::value, kFinite, "", "any"}};
+};
+
+TEST(NamedValue, EveryDoubleSurvivesItsText) {
+    using Alone = std::variant<Precise>;
+    EXPECT_EQ(to_text(Precise{}), "precise:value=2.2");
+    Pcg32 random(21);
+    int tried = 0;
+    while (tried < 20000) {
+        const Precise value{std::bit_cast<double>(std::uint64_t{random.next()} << 32u | random.next())};
+        if (!kFinite.contains(value.value)) continue;
+        ASSERT_EQ(parse_named<Alone>(to_text(value), "number"), Alone{value}) << to_text(value);
+        ++tried;
+    }
+    EXPECT_THROW((void)parse_named<Alone>("precise:value=inf", "number"), std::invalid_argument);
+}
+
 TEST(NamedValue, UnknownNameListsTheNearestFirst) {
     EXPECT_EQ(message_of("blurr"), "effect \"blurr\": unknown; expected blur or plain");
     EXPECT_EQ(message_of("plane"), "effect \"plane\": unknown; expected plain or blur");

@@ -24,6 +24,10 @@ void draw(const ParameterRange& range, Pcg32& random, float& value) {
     do value = std::bit_cast<float>(random.next());
     while (!range.contains(value));
 }
+void draw(const ParameterRange& range, Pcg32& random, double& value) {
+    do value = std::bit_cast<double>(std::uint64_t{random.next()} << 32u | random.next());
+    while (!range.contains(value));
+}
 void draw(const ParameterRange& range, Pcg32& random, int& value) {
     do value = std::bit_cast<int>(random.next());
     while (!range.contains(value));

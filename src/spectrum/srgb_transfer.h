@@ -1,11 +1,7 @@
 #pragma once
-// The sRGB transfer function. Linear values are proportional to light, encoded values are those of the code: both in
-// [0, 1]. encode: linear to encoded; decode: back.
+// The sRGB transfer function. For "linear", "encoded" and values outside [0, 1] see spectrum/transfer_function.h.
 
-#include <span>
 #include <string_view>
-
-#include "core/color.h"
 
 namespace emulsion {
 
@@ -16,15 +12,16 @@ namespace emulsion {
 struct SrgbTransfer {
     static constexpr std::string_view kName = "srgb";
     static constexpr std::string_view kHelp = "IEC 61966-2-1, near a power of 2.2";
+    static constexpr double kLinearKnee = 0.0031308;  ///< the last value of the straight piece
+    static constexpr double kEncodedKnee = 0.04045;
+    static constexpr double kSlope = 12.92;
     bool operator==(const SrgbTransfer&) const = default;
 };
 
-/// The specification, in double precision; 0 and 1 exactly to themselves. Argument in [0, 1].
 [[nodiscard]] double encode(const SrgbTransfer& transfer, double linear) noexcept;
 [[nodiscard]] double decode(const SrgbTransfer& transfer, double encoded) noexcept;
 
-/// In place, in single precision: within 6e-8 of the specification (0.004 of a 16-bit code), 0 and 1 exactly to
-/// themselves, rising but for the step at the knee: measured over every float of [0.0005, 1]. Components in [0, 1].
-void encode(const SrgbTransfer& transfer, std::span<RGB> linear) noexcept;
+/// The upper piece alone, for any linear > 0.
+[[nodiscard]] double encode_above_knee(const SrgbTransfer& transfer, double linear) noexcept;
 
 }  // namespace emulsion

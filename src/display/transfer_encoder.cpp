@@ -1,0 +1,95 @@
+#include "display/transfer_encoder.h"
+
+#include <cmath>
+#include <limits>
+
+namespace emulsion {
+
+namespace {
+
+using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder>;
+
+/// The least normal float: the table's segments widen to octaves and more below it.
+constexpr float kLeastFloat = std::numeric_limits<float>::min();
+
+/// A type whose header has a straight piece up to kLinearKnee, and another function above.
+template <class T>
+concept HasStraightToe = requires {
+    T::kSlope;
+};
+
+/// The greatest float that is not above the knee, so that each float gets the piece that its exact value belongs to.
+float last_float_of_toe(double knee) noexcept {
+    const auto nearest = static_cast<float>(knee);
+    return static_cast<double>(nearest) <= knee ? nearest : std::nextafter(nearest, 0.0f);
+}
+
+/// Curves without a knee: the table down to the least normal float, below it what 0 has: 2.6e-8 off at the most, for
+/// gamma 5.
+template <class T>
+AnyEncoder encoder_of(const T& transfer) {
+    const auto curve = [&](double x) { return encode(transfer, x); };
+    const float last = std::nextafter(kLeastFloat, 0.0f);
+    return StraightToeEncoder{last, 0.0f, static_cast<float>(curve(0.0)), CurveTable(curve, kLeastFloat)};
+}
+
+template <HasStraightToe T>
+AnyEncoder encoder_of(const T& transfer) {
+    const float last = last_float_of_toe(T::kLinearKnee);
+    const auto curve = [&](double x) { return encode_above_knee(transfer, x); };
+    return StraightToeEncoder{last, static_cast<float>(T::kSlope), 0.0f, CurveTable(curve, last)};
+}
+
+AnyEncoder encoder_of(const LinearTransfer& /*transfer*/) { return IdentityEncoder{}; }
+
+AnyEncoder encoder_of(const GammaTransfer& transfer) {
+    if (transfer.exponent < 1.0) return ExactEncoder{transfer};
+    return encoder_of<GammaTransfer>(transfer);
+}
+
+AnyEncoder encoder_of(const Bt1886Transfer& transfer) {
+    const float black = last_float_of_toe(decode(transfer, 0.0));
+    if (black < kLeastFloat) return encoder_of<Bt1886Transfer>(transfer);
+    const auto curve = [&](double x) { return encode(transfer, x); };
+    return StraightToeEncoder{black, 0.0f, 0.0f, CurveTable(curve, black)};
+}
+
+AnyEncoder encoder_of(const HlgTransfer& transfer) {
+    const float last = last_float_of_toe(HlgTransfer::kLinearKnee);
+    const auto curve = [&](double x) { return encode_above_knee(transfer, x); };
+    return SquareRootToeEncoder{last, CurveTable(curve, last)};
+}
+
+void encode_all(const IdentityEncoder& /*encoder*/, std::span<RGB> /*linear*/) noexcept {}
+
+void encode_all(const StraightToeEncoder& encoder, std::span<RGB> linear) noexcept {
+    const auto encoded = [&](float x) noexcept {
+        return x <= encoder.last ? encoder.offset + encoder.slope * x : encoder.above(x);
+    };
+    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+}
+
+void encode_all(const SquareRootToeEncoder& encoder, std::span<RGB> linear) noexcept {
+    const auto encoded = [&](float x) noexcept { return x <= encoder.last ? std::sqrt(3.0f * x) : encoder.above(x); };
+    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+}
+
+void encode_all(const ExactEncoder& encoder, std::span<RGB> linear) noexcept {
+    const auto encoded = [&](float x) noexcept {
+        return static_cast<float>(encode(encoder.transfer, static_cast<double>(x)));
+    };
+    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+}
+
+}  // namespace
+
+TransferEncoder::TransferEncoder(const TransferFunction& transfer) {
+    validate_named(transfer, "transfer");
+    encoder_ = std::visit([](const auto& chosen) { return encoder_of(chosen); }, transfer);
+}
+
+void TransferEncoder::operator()(std::span<RGB> linear) const noexcept {
+    visit_noexcept([&](const auto& encoder) { encode_all(encoder, linear); }, encoder_);
+}
+
+}  // namespace emulsion
