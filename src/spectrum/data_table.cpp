@@ -16,6 +16,8 @@ namespace emulsion {
 
 namespace {
 
+constexpr std::string_view kMicrometres = "wavelength_um";
+
 std::size_t index_of(std::string_view what, std::string_view name, std::span<const std::string> names) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
@@ -34,6 +36,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 [[noreturn]] void fail(const DataTable& table, std::size_t line, const std::string& problem) {
     throw std::invalid_argument(fmt::format("table {}, line {}: {}", table.name, line, problem));
+}
+
+bool is_wavelength(std::string_view column_name) noexcept {
+    return column_name == "wavelength" || column_name == kMicrometres;
 }
 
 double number(const DataTable& table, std::size_t line, std::string_view cell) {
@@ -56,7 +62,7 @@ void append_row(DataTable& table, bool has_row_names, std::size_t line, std::str
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::vector<double>& column = table.columns[i];
         const double value = number(table, line, cells[i + first]);
-        if (table.column_names[i] == "wavelength" && !column.empty() && value <= column.back()) {
+        if (is_wavelength(table.column_names[i]) && !column.empty() && value <= column.back()) {
             fail(table, line, fmt::format("wavelength {}: expected more than in the line before", cells[i + first]));
         }
         column.push_back(value);
@@ -90,6 +96,7 @@ DataTable parse_data_table(std::string_view name, std::string_view text) {
     if (lines.front().empty() || lines.front().front() != '#') {
         fail(table, 1, "expected a comment that starts with #");
     }
+    table.comment = lines.front().substr(std::min(lines.front().find_first_not_of("# "), lines.front().size()));
     if (lines.size() < 3)
         fail(table, lines.size(), "the text ends here: expected a line of names and at least one row");
 
@@ -118,9 +125,17 @@ const DataTable& data_table(std::string_view name) {
     throw std::invalid_argument(fmt::format("table \"{}\" is unknown: expected one of {}", name, listed(known)));
 }
 
+std::vector<double> wavelengths_nm(const DataTable& table) {
+    const auto um = std::find(table.column_names.begin(), table.column_names.end(), kMicrometres);
+    if (um == table.column_names.end()) return table.column("wavelength");
+    std::vector<double> wavelengths = table.column(kMicrometres);
+    for (double& wavelength : wavelengths) wavelength *= 1000.0;
+    return wavelengths;
+}
+
 PiecewiseLinearSpectrum tabulated_spectrum(std::string_view table_name, std::string_view column_name) {
     const DataTable& table = data_table(table_name);
-    return {table.column("wavelength"), table.column(column_name)};
+    return {wavelengths_nm(table), table.column(column_name)};
 }
 
 }  // namespace emulsion

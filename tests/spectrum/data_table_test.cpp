@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 TEST(DataTable, EveryEmbeddedTableParses) {
-    ASSERT_GE(embedded_table_files().size(), 9u);
+    ASSERT_GE(embedded_table_files().size(), 19u);
     for (const EmbeddedTableFile& file : embedded_table_files()) {
         const DataTable& table = data_table(file.name);
         EXPECT_EQ(table.name, file.name);
@@ -43,6 +43,21 @@ TEST(DataTable, MakesASpectrumOfAColumn) {
     const PiecewiseLinearSpectrum d65 = tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65");
     EXPECT_EQ(d65.lambda_nm.size(), 107u);
     EXPECT_EQ(eval(d65, 560.0), 100.0);
+}
+
+TEST(DataTable, KeepsTheCommentLine) {
+    EXPECT_THAT(data_table("colorchecker_reflectance").comment,
+                AllOf(testing::StartsWith("spectral reflectance factor"), testing::EndsWith("ISO 17321-1:2012")));
+    EXPECT_EQ(parse_data_table("t", "#\nwavelength,a\n400,1\n").comment, "");
+    EXPECT_EQ(parse_data_table("t", "#a b\nwavelength,a\n400,1\n").comment, "a b");
+}
+
+TEST(DataTable, TakesMicrometresToNanometres) {
+    EXPECT_THAT(wavelengths_nm(parse_data_table("t", "# t\nwavelength_um,a\n0.5,1\n0.75,2\n")),
+                ElementsAre(500.0, 750.0));
+    EXPECT_THAT(wavelengths_nm(parse_data_table("t", "# t\nwavelength,a\n0.5,1\n")), ElementsAre(0.5));
+    EXPECT_THAT([] { (void)wavelengths_nm(data_table("glasses")); },
+                ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("glasses"), HasSubstr("\"wavelength\""))));
 }
 
 TEST(DataTable, UnknownNamesListWhatExists) {
@@ -82,6 +97,7 @@ TEST(ParseDataTable, MalformedTextNamesTableLineAndValue) {
         {"# t\nname,a\nx\n", "line 3", "1 cells: expected 2"},
         {"# t\nwavelength,a\n400,1\n\n410,1\n", "line 4", "1 cells"},
         {"# t\nwavelength,a\n400,1\n400,1\n", "line 4", "400"},
+        {"# t\nwavelength_um,a\n0.4,1\n0.39,1\n", "line 4", "0.39"},
     };
     for (const Case& c : cases) {
         EXPECT_THAT([&] { (void)parse_data_table("my_table", c.text); },
