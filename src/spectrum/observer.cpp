@@ -68,6 +68,7 @@ const Observer& observer(std::string_view name) {
 
 std::vector<std::string_view> observer_names() {
     std::vector<std::string_view> names;
+    names.reserve(kObservers.size());
     for (const ObserverName& known : kObservers) names.push_back(known.name);
     return names;
 }
