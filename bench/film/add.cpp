@@ -37,7 +37,7 @@ const Samples& samples() {
         for (std::size_t i = 0; i < kSamples; ++i) {
             all.xyz.push_back({random.next_float(), random.next_float(), random.next_float()});
             all.weight.push_back(random.next_float() < 0.1f ? -1.1f : 1.1f);
-            all.wavelengths.push_back(sample_visible_wavelengths<4>(distribution, random.next_float()));
+            all.wavelengths.push_back(hero_wavelengths<4>(distribution, random.next_float()));
             SampledSpectrum<4> radiance;
             for (int k = 0; k < 4; ++k) radiance[k] = random.next_float();
             all.radiance.push_back(radiance);

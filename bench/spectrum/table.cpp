@@ -25,7 +25,7 @@ std::vector<std::array<float, kWavelengths>> sampled_wavelengths() {
     Pcg32 random(1);
     std::vector<std::array<float, kWavelengths>> wavelengths(kPaths);
     for (auto& lambda_nm : wavelengths) {
-        lambda_nm = sample_visible_wavelengths<kWavelengths>(distribution, random.next_float()).lambda_nm;
+        lambda_nm = hero_wavelengths<kWavelengths>(distribution, random.next_float()).lambda_nm;
     }
     return wavelengths;
 }

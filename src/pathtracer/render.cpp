@@ -74,7 +74,7 @@ class TileRenderer {
 
     Start start_path(int x, int y, int sample_index, Path<N>& path) const noexcept {
         path.samples = SampleSequence(sampler_, options_.seed, x, y, sample_index);
-        path.wavelengths = sample_visible_wavelengths<N>(wavelength_pdf_, path.samples.next_1d());
+        path.wavelengths = hero_wavelengths<N>(wavelength_pdf_, path.samples.next_1d());
         path.index = SpectrumTableIndex<N>(path.wavelengths.lambda_nm);
         const auto [u, v] = path.samples.next_2d();
         const FilterSample place = filter_.sample(u, v);

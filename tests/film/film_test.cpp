@@ -235,7 +235,7 @@ TEST(Film, ConstantRadianceGivesTheIntegralOfTheObserver) {
     XYZd squares;
     for (int pixel = 0; pixel < 16; ++pixel) {
         for (int path = 0; path < kPaths; ++path) {
-            const auto wavelengths = sample_visible_wavelengths<4>(distribution, random.next_float());
+            const auto wavelengths = hero_wavelengths<4>(distribution, random.next_float());
             tile.add(pixel % 4, pixel / 4, wavelengths, radiance, 1.0f);
             const XYZd sample = film.sensor().to_xyz_reference(wavelengths, radiance);
             const auto squared = [](double deviation) { return deviation * deviation / (16.0 * kPaths); };

@@ -110,7 +110,7 @@ TYPED_TEST(SensorWidths, FastPathAgreesWithTheReference) {
     const VisibleWavelengthPdf distribution;
     Pcg32 random(1);
     for (int i = 0; i < 20000; ++i) {
-        const auto wavelengths = sample_visible_wavelengths<kN>(distribution, random.next_float());
+        const auto wavelengths = hero_wavelengths<kN>(distribution, random.next_float());
         SampledSpectrum<kN> radiance;
         for (int k = 0; k < kN; ++k) radiance[k] = 10.0f * random.next_float();
         const auto fast = components(sensor.to_xyz(wavelengths, radiance));
@@ -132,7 +132,7 @@ TYPED_TEST(SensorWidths, SampleToXyzIsUnbiasedOverTenThousandSeeds) {
         std::array<double, 3> sum{}, squares{};
         for (int seed = 0; seed < kSeeds; ++seed) {
             Pcg32 random(static_cast<std::uint64_t>(seed));
-            const auto wavelengths = sample_visible_wavelengths<kN>(distribution, random.next_float());
+            const auto wavelengths = hero_wavelengths<kN>(distribution, random.next_float());
             const auto xyz = components(sensor.to_xyz(wavelengths, sample(spectrum, wavelengths)));
             for (std::size_t k = 0; k < 3; ++k) {
                 sum[k] += xyz[k];

@@ -7,88 +7,89 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.h"
+
 namespace emulsion {
 namespace {
 
-// Integral of the density from 360 nm, by Simpson's rule on quarter nanometres.
-double numeric_cdf(const VisibleWavelengthPdf& distribution, double lambda_nm) {
-    const int steps = 4 * static_cast<int>(std::ceil(lambda_nm - kMinWavelength_nm)) + 4;
-    const double step = (lambda_nm - kMinWavelength_nm) / steps;
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-        const double a = kMinWavelength_nm + i * step;
-        sum += step / 6.0 *
-               (distribution.pdf(a) + 4.0 * distribution.pdf(a + 0.5 * step) +
-                distribution.pdf(std::min(a + step, 830.0)));
-    }
-    return sum;
+constexpr float kLargestFloat = 1.0f - 0x1p-24f;
+constexpr std::array kNumbers = {0.0f, 0x1p-24f, 0.1f, 0.25f, 0.49999f, 0.5f, 0.77f, kLargestFloat};
+
+// Calls check<N>() for every count that the library is compiled for.
+template <class Check>
+void for_each_count(Check&& check) {
+    check.template operator()<1>();
+    check.template operator()<2>();
+    check.template operator()<4>();
+    check.template operator()<8>();
+    check.template operator()<16>();
+    check.template operator()<32>();
 }
 
-TEST(VisibleWavelengthPdf, IntegratesToOne) {
-    EXPECT_NEAR(numeric_cdf(VisibleWavelengthPdf(), kMaxWavelength_nm), 1.0, 1e-11);
-}
-
-TEST(VisibleWavelengthPdf, IsZeroOutsideAndPositiveInside) {
-    const VisibleWavelengthPdf distribution;
-    EXPECT_EQ(distribution.pdf(359.99), 0.0);
-    EXPECT_EQ(distribution.pdf(830.01), 0.0);
-    for (const double lambda_nm : {360.0, 538.0, 830.0}) EXPECT_GT(distribution.pdf(lambda_nm), 0.0);
-    EXPECT_GT(distribution.pdf(538.0), 2.0 * distribution.pdf(400.0));
-}
-
-TEST(VisibleWavelengthPdf, SamplesInvertTheDistribution) {
-    const VisibleWavelengthPdf distribution;
-    for (int i = 0; i <= 64; ++i) {
-        const double u = i / 64.0;
-        EXPECT_NEAR(numeric_cdf(distribution, distribution.sample_nm(u)), u, 1e-10) << u;
-    }
-    EXPECT_NEAR(distribution.sample_nm(0.0), 360.0, 1e-9);
-    EXPECT_NEAR(distribution.sample_nm(1.0), 830.0, 1e-9);
-}
-
-TEST(VisibleWavelengthPdf, FastSampleFollowsItsTwins) {
-    const VisibleWavelengthPdf distribution;
-    constexpr int kCount = 1 << 18;
-    for (int i = 0; i < kCount; ++i) {
-        const double u = (i + 0.5) / kCount;
-        const VisibleWavelengthPdf::Sample sample = distribution.sample(u);
-        const double lambda_nm = distribution.sample_nm(u), pdf = distribution.pdf(lambda_nm);
-        ASSERT_NEAR(static_cast<double>(sample.lambda_nm), lambda_nm, 1e-4) << u;
-        ASSERT_NEAR(static_cast<double>(sample.pdf), pdf, 1e-6 * pdf) << u;
+template <std::size_t N>
+void expect_one_in_each_stratum(std::array<double, N> numbers, float u) {
+    std::sort(numbers.begin(), numbers.end());
+    for (std::size_t i = 0; i < N; ++i) {
+        EXPECT_GE(numbers[i], static_cast<double>(i) / N) << N << ' ' << u;
+        EXPECT_LT(numbers[i], static_cast<double>(i + 1) / N) << N << ' ' << u;
     }
 }
 
-template <int N>
-void expect_one_wavelength_per_stratum() {
-    const VisibleWavelengthPdf distribution;
-    constexpr double kRounding = 5e-7;  // 1e-4 nm, as seen in u
-    for (const float u : {0.0f, 0.1f, 0.25f, 0.49999f, 0.5f, 0.77f, std::nextafter(1.0f, 0.0f)}) {
-        const SampledWavelengths<N> wavelengths = sample_visible_wavelengths<N>(distribution, u);
-        std::array<double, N> back{};
-        for (std::size_t i = 0; i < N; ++i) {
-            const auto lambda_nm = static_cast<double>(wavelengths.lambda_nm[i]);
-            ASSERT_GE(lambda_nm, kMinWavelength_nm);
-            ASSERT_LE(lambda_nm, kMaxWavelength_nm);
-            const double pdf = distribution.pdf(lambda_nm);
-            EXPECT_NEAR(static_cast<double>(wavelengths.pdf[i]), pdf, 1e-6 * pdf);
-            back[i] = numeric_cdf(distribution, lambda_nm);
+TEST(Arrangements, IndependentTakesTheNumbersAsTheyCome) {
+    for_each_count([]<int N>() {
+        Pcg32 source(3), same(3);
+        const auto numbers = IndependentArrangement::numbers<N>([&] { return source.next_float(); });
+        for (const double number : numbers) EXPECT_EQ(number, static_cast<double>(same.next_float()));
+        EXPECT_EQ(source.next(), same.next()) << "as many as there are wavelengths";
+    });
+}
+
+TEST(Arrangements, StratifiedPutsOneInEachStratum) {
+    for_each_count([]<int N>() {
+        for (const float u : kNumbers) {
+            expect_one_in_each_stratum(StratifiedArrangement::numbers<N>([u] { return u; }), u);
         }
-        EXPECT_NEAR(back[0], static_cast<double>(u), kRounding) << "the first is that of u itself";
-        std::sort(back.begin(), back.end());
+        Pcg32 source(3), same(3);
+        const auto numbers = StratifiedArrangement::numbers<N>([&] { return source.next_float(); });
         for (std::size_t i = 0; i < N; ++i) {
-            EXPECT_GE(back[i], static_cast<double>(i) / N - kRounding) << N << ' ' << u;
-            EXPECT_LE(back[i], static_cast<double>(i + 1) / N + kRounding) << N << ' ' << u;
+            EXPECT_EQ(numbers[i] * N - static_cast<double>(i), static_cast<double>(same.next_float()));
         }
-    }
+    });
 }
 
-TEST(SampleVisibleWavelengths, PutsOneInEachStratum) {
-    expect_one_wavelength_per_stratum<1>();
-    expect_one_wavelength_per_stratum<2>();
-    expect_one_wavelength_per_stratum<4>();
-    expect_one_wavelength_per_stratum<8>();
-    expect_one_wavelength_per_stratum<16>();
-    expect_one_wavelength_per_stratum<32>();
+// Exactly: u on the grid of 2^-24, and i/N, are sums of powers of two.
+TEST(Arrangements, HeroRotatesByOneNth) {
+    for_each_count([]<int N>() {
+        for (const float u : kNumbers) {
+            const auto numbers = HeroArrangement::numbers<N>(u);
+            EXPECT_EQ(numbers[0], static_cast<double>(u)) << "the first is u itself";
+            expect_one_in_each_stratum(numbers, u);
+            for (std::size_t i = 0; i < N; ++i) {
+                const double back = numbers[i] - numbers[0] - static_cast<double>(i) / N;
+                EXPECT_TRUE(back == 0.0 || back == -1.0) << back;
+            }
+        }
+        int calls = 0;
+        EXPECT_EQ(HeroArrangement::numbers<N>([&] { return ++calls, 0.3f; }), HeroArrangement::numbers<N>(0.3f));
+        EXPECT_EQ(calls, 1);
+    });
+}
+
+TEST(HeroWavelengths, AreTheDensitysAtTheRotatedNumbers) {
+    const VisibleWavelengthPdf distribution;
+    for_each_count([&]<int N>() {
+        for (const float u : kNumbers) {
+            const SampledWavelengths<N> wavelengths = hero_wavelengths<N>(distribution, u);
+            const auto numbers = HeroArrangement::numbers<N>(u);
+            for (std::size_t i = 0; i < N; ++i) {
+                const auto lambda_nm = static_cast<double>(wavelengths.lambda_nm[i]);
+                EXPECT_NEAR(lambda_nm, distribution.sample_nm(numbers[i]), 1e-4);
+                EXPECT_GE(lambda_nm, kMinWavelength_nm);
+                EXPECT_LE(lambda_nm, kMaxWavelength_nm);
+                EXPECT_GT(wavelengths.pdf[i], 0.0f);
+            }
+        }
+    });
 }
 
 }  // namespace
