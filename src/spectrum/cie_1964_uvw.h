@@ -18,7 +18,7 @@ struct Cie1964Uvw {
 /// Meant for 100 Y in 1..100. Below, the formulas go on: W* reaches 0 at 100 Y = 0.314, where all chromaticities meet,
 /// and -17 at Y = 0, with U* and V* of the wrong sign in between; the cube root of a negative Y is negative. Black is
 /// (0, 0, -17): it is given the white's chromaticity, having none. Not finite where X + 15 Y + 3 Z = 0 otherwise.
-/// Source: CIE 13.3-1995, section 5.7, eq. 7; Wyszecki, JOSA 53 (1963).
+/// Source: Wyszecki, JOSA 53 (1963); CIE 13.3-1995, section 5.
 [[nodiscard]] Cie1964Uvw uvw_from_xyz(const XYZd& xyz, const XYZd& white) noexcept;
 
 /// The same from chromaticities and Y, with Y = 1 for the white.

@@ -31,7 +31,7 @@ XYZd seen(const Spectrum& reflectance, const Spectrum& light, Integration integr
     if (integration == Integration::exact) return xyz_of_reflectance(reflectance, light);
     XYZd sum;
     double white = 0.0;
-    for (double lambda_nm = 380.0; lambda_nm <= 780.0; lambda_nm += 5.0) {
+    for (int lambda_nm = 380; lambda_nm <= 780; lambda_nm += 5) {
         const XYZd weight = eval(light, lambda_nm) * eval(cie_1931_2deg(), lambda_nm);
         sum = sum + eval(reflectance, lambda_nm) * weight;
         white += weight.y;

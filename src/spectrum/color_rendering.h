@@ -12,7 +12,7 @@ namespace emulsion {
 inline constexpr std::size_t kTestColorCount = 14;
 
 /// Above this distance between light and reference, in CIE 1960 u, v, the index is inaccurate.
-/// Source: CIE 13.3-1995, section 5.3.
+/// Source: CIE 13.3-1995, section 5, on the tolerance for the reference illuminant.
 inline constexpr double kLargestReferenceDistance = 5.4e-3;
 
 struct ColorRendering {

@@ -49,17 +49,19 @@ PlanckianLocus::PlanckianLocus(const Observer& observer) {
     // Two per cent apart, and one beyond each end, so that the ends themselves are found like all others.
     constexpr double kRatio = 1.02;
     constexpr double kFirst = 1e6 / kHottest_K / kRatio, kLast = 1e6 / kColdest_K * kRatio;
-    for (double reciprocal = kFirst; reciprocal < kLast * kRatio; reciprocal *= kRatio) {
-        node_reciprocal_MK_.push_back(reciprocal);
-        node_uv_.push_back(at(reciprocal).uv);
+    double mired = kFirst;
+    while (mired < kLast * kRatio) {
+        node_mired_.push_back(mired);
+        node_uv_.push_back(at(mired).uv);
+        mired *= kRatio;
     }
 }
 
-PlanckianLocus::Point PlanckianLocus::at(double reciprocal_MK) const noexcept {
-    // B = 1 / (exp(x) - 1) with x = exponent * reciprocal, and its derivatives by the reciprocal.
+PlanckianLocus::Point PlanckianLocus::at(double mired) const noexcept {
+    // B = 1 / (exp(x) - 1) with x = exponent * mired, and its derivatives by the mired.
     std::array<double, 3> sum{}, first{}, second{};
     for (const Abscissa& abscissa : abscissae_) {
-        const double b = 1.0 / std::expm1(abscissa.exponent * reciprocal_MK);
+        const double b = 1.0 / std::expm1(abscissa.exponent * mired);
         const double b1 = -abscissa.exponent * b * (1.0 + b);
         const double b2 = -abscissa.exponent * b1 * (1.0 + 2.0 * b);
         for (std::size_t j = 0; j < 3; ++j) {
@@ -104,24 +106,24 @@ std::optional<CorrelatedColorTemperature> PlanckianLocus::nearest(const Uv1960& 
 
     // Newton's method for the foot of the perpendicular, (P - uv) . P' = 0, kept within a shrinking bracket.
     constexpr int kMaxSteps = 60;
-    double low = node_reciprocal_MK_[node - 1], high = node_reciprocal_MK_[node + 1];
-    double reciprocal = node_reciprocal_MK_[node];
-    Point point = at(reciprocal);
+    double low = node_mired_[node - 1], high = node_mired_[node + 1];
+    double mired = node_mired_[node];
+    Point point = at(mired);
     for (int i = 0; i < kMaxSteps; ++i) {
         const Uv1960 offset = minus(point.uv, uv);
         const double rise = dot(offset, point.slope);
-        (rise < 0.0 ? low : high) = reciprocal;
-        double next = reciprocal - rise / (dot(point.slope, point.slope) + dot(offset, point.curvature));
+        (rise < 0.0 ? low : high) = mired;
+        double next = mired - rise / (dot(point.slope, point.slope) + dot(offset, point.curvature));
         if (!(next > low && next < high)) next = 0.5 * (low + high);
-        const double change = std::abs(next - reciprocal);
-        reciprocal = next;
-        point = at(reciprocal);
-        if (change <= 1e-13 * reciprocal) break;
+        const double change = std::abs(next - mired);
+        mired = next;
+        point = at(mired);
+        if (change <= 1e-13 * mired) break;
     }
 
     // A little beyond the ends is within rounding of them.
     constexpr double kRounding = 1e-9;
-    const double temperature_K = 1e6 / reciprocal;
+    const double temperature_K = 1e6 / mired;
     if (temperature_K < kColdest_K * (1.0 - kRounding) || temperature_K > kHottest_K * (1.0 + kRounding))
         return std::nullopt;
     const Uv1960 offset = minus(uv, point.uv);

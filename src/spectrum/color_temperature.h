@@ -47,20 +47,20 @@ class PlanckianLocus {
     [[nodiscard]] std::optional<CorrelatedColorTemperature> nearest(const Uv1960& uv) const noexcept;
 
   private:
-    // A point of the locus and its first two derivatives by reciprocal temperature.
+    // A point of the locus and its first two derivatives by reciprocal temperature, in mired: 1e6 K / T.
     struct Point {
         Uv1960 uv, slope, curvature;
     };
     // An abscissa of the integrals over wavelength, with its weights.
     struct Abscissa {
-        double exponent;               // of Planck's law, times T / 1e6 K
+        double exponent;               // of Planck's law, per mired
         std::array<double, 3> weight;  // for u's numerator, v's numerator, and their denominator
     };
 
-    [[nodiscard]] Point at(double reciprocal_MK) const noexcept;
+    [[nodiscard]] Point at(double mired) const noexcept;
 
     std::vector<Abscissa> abscissae_;
-    std::vector<double> node_reciprocal_MK_;  // 1e6 K / T, increasing
+    std::vector<double> node_mired_;  // increasing
     std::vector<Uv1960> node_uv_;
 };
 

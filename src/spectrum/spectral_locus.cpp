@@ -44,7 +44,7 @@ void require_finite(const char* what, const Chromaticity& point) {
 // X + Y + Z.
 struct Ray {
     Chromaticity origin;
-    double dx, dy;
+    double dx = 0.0, dy = 0.0;
 
     [[nodiscard]] double across(const XYZd& xyz) const noexcept {
         const double sum = xyz.x + xyz.y + xyz.z;

@@ -28,7 +28,7 @@ Chromaticity chromaticity_by_sums(const PiecewiseLinearSpectrum& spectrum) {
     return chromaticity_of(sum);
 }
 
-double temperature_K(const Chromaticity& chromaticity) {
+double temperature_of(const Chromaticity& chromaticity) {
     const auto result = correlated_color_temperature(chromaticity);
     return result ? result->temperature_K : 0.0;
 }
@@ -94,13 +94,13 @@ TEST(CorrelatedColorTemperature, OfDaylightIsThePublishedOne) {
     ASSERT_TRUE(d65);
     EXPECT_NEAR(d65->temperature_K, 6503.6, 0.1);
     EXPECT_NEAR(d65->duv, 0.0032, 5e-5) << "ANSI C78.377-2008, annex: daylight lies 0.003 above";
-    EXPECT_NEAR(temperature_K({0.3127, 0.3290}), 6504.0, 0.5) << "the rounded white of BT.709";
+    EXPECT_NEAR(temperature_of({0.3127, 0.3290}), 6504.0, 0.5) << "the rounded white of BT.709";
     // Lines between the rows instead of sums: 1.0 K less.
     EXPECT_NEAR(
-        temperature_K(chromaticity_of(xyz_of_radiance(tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65")))),
+        temperature_of(chromaticity_of(xyz_of_radiance(tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65")))),
         6502.5, 0.1);
     // Illuminant A is a blackbody of 2848 K with c2 = 1.435e-2 m K: 2855.5 K with today's (CIE 15:2004, section 3.1).
-    EXPECT_NEAR(temperature_K(chromaticity_by_sums(tabulated_spectrum("illuminants_a_d_300_830_5nm", "A"))), 2855.5,
+    EXPECT_NEAR(temperature_of(chromaticity_by_sums(tabulated_spectrum("illuminants_a_d_300_830_5nm", "A"))), 2855.5,
                 0.1);
 }
 
@@ -110,12 +110,12 @@ TEST(CorrelatedColorTemperature, OfFluorescentLampsIsThePublishedOne) {
                                                      6500, 5000, 4150, 5000, 4000, 3000};
     for (std::size_t i = 0; i < kPublished_K.size(); ++i) {
         const std::string name = "FL" + std::to_string(i + 1);
-        const double by_sums_K = temperature_K(chromaticity_by_sums(tabulated_spectrum("illuminants_5nm", name)));
+        const double by_sums_K = temperature_of(chromaticity_by_sums(tabulated_spectrum("illuminants_5nm", name)));
         // Half the rounding, and 0.1 K for the CIE's rounded second radiation constant.
         EXPECT_NEAR(by_sums_K, kPublished_K[i], name == "FL7" ? 25.1 : 5.6) << name;
         // Lines between the rows change it by less than 0.1%.
         const Chromaticity exact = chromaticity_of(xyz_of_radiance(tabulated_spectrum("illuminants_5nm", name)));
-        EXPECT_NEAR(temperature_K(exact), by_sums_K, 0.0011 * by_sums_K) << name;
+        EXPECT_NEAR(temperature_of(exact), by_sums_K, 0.0011 * by_sums_K) << name;
     }
 }
 
@@ -127,7 +127,7 @@ TEST(CorrelatedColorTemperature, OfTheNewerFluorescentLampsIsThePublishedOne) {
     for (std::size_t i = 0; i < kPublished_K.size(); ++i) {
         const std::string name = "FL3_" + std::to_string(i + 1);
         const Chromaticity chromaticity = chromaticity_by_sums(tabulated_spectrum("illuminants_5nm", name));
-        EXPECT_NEAR(temperature_K(chromaticity), kPublished_K[i], 1.5) << name;
+        EXPECT_NEAR(temperature_of(chromaticity), kPublished_K[i], 1.5) << name;
     }
 }
 
