@@ -8,7 +8,7 @@
 namespace emulsion {
 
 /// encode(x) = x^(256/563), decode(v) = v^(563/256); 563/256 = 2 + 51/256 = 2.19921875.
-/// Source: Adobe RGB (1998) Color Image Encoding, version 2005-05, section 4.3.4.2.
+/// Source: Adobe RGB (1998) Color Image Encoding, version 2005-05.
 struct AdobeRgbTransfer {
     static constexpr std::string_view kName = "adobe-rgb";
     static constexpr std::string_view kHelp = "Adobe RGB (1998), a power of 563/256";

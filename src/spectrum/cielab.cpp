@@ -20,6 +20,4 @@ Lab lab_from_xyz(const XYZd& xyz, const XYZd& white) noexcept {
     return {116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)};
 }
 
-double delta_e_1976(const Lab& a, const Lab& b) noexcept { return std::hypot(a.l - b.l, a.a - b.a, a.b - b.b); }
-
 }  // namespace emulsion

@@ -1,5 +1,6 @@
 #pragma once
-// CIELAB, and colour difference in it. XYZ and white are relative or absolute, but both the same.
+// CIELAB; colour differences in it are in spectrum/color_difference.h. XYZ and white are relative or absolute, but both
+// the same.
 
 #include "core/color.h"
 
@@ -13,8 +14,5 @@ struct Lab {
 
 /// Source: CIE 15:2004, section 8.2.1, with the linear toe below (6/29)^3, which also takes negative XYZ.
 [[nodiscard]] Lab lab_from_xyz(const XYZd& xyz, const XYZd& white) noexcept;
-
-/// Euclidean distance, CIE 1976.
-[[nodiscard]] double delta_e_1976(const Lab& a, const Lab& b) noexcept;
 
 }  // namespace emulsion

@@ -24,8 +24,8 @@ Pair seen(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditi
     return {xyz(a), xyz(b), xyz(ConstantSpectrum{1.0})};
 }
 
-double difference_of(const Pair& pair, const LabDifference& difference) {
-    return difference(lab_from_xyz(pair.a, pair.white), lab_from_xyz(pair.b, pair.white));
+double difference_of(const Pair& pair, const ColorDifference& method) {
+    return difference(method, lab_from_xyz(pair.a, pair.white), lab_from_xyz(pair.b, pair.white));
 }
 
 void require_tolerance(double largest) {
@@ -49,8 +49,8 @@ XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const ViewingCondition
 }
 
 double lab_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
-                      const LabDifference& difference) {
-    return difference_of(seen(a, b, conditions), difference);
+                      const ColorDifference& method) {
+    return difference_of(seen(a, b, conditions), method);
 }
 
 bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
@@ -63,17 +63,17 @@ bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions
 bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
                    const LabTolerance& tolerance) {
     require_tolerance(tolerance.largest);
-    return lab_difference(a, b, conditions, tolerance.difference) <= tolerance.largest;
+    return lab_difference(a, b, conditions, tolerance.method) <= tolerance.largest;
 }
 
 MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const ViewingConditions& reference,
-                                 const ViewingConditions& test, const LabDifference& difference) {
+                                 const ViewingConditions& test, const ColorDifference& method) {
     const Pair at_reference = seen(a, b, reference);
     Pair at_test = seen(a, b, test);
     at_test.b.x *= correction('X', at_reference.a.x, at_reference.b.x);
     at_test.b.y *= correction('Y', at_reference.a.y, at_reference.b.y);
     at_test.b.z *= correction('Z', at_reference.a.z, at_reference.b.z);
-    return {difference_of(at_test, difference), difference_of(at_reference, difference)};
+    return {difference_of(at_test, method), difference_of(at_reference, method)};
 }
 
 }  // namespace emulsion

@@ -2,10 +2,8 @@
 // Metamers: reflectances that differ, but look the same under one illuminant to one observer. Under another they drift
 // apart.
 
-#include <functional>
-
 #include "core/color.h"
-#include "spectrum/cielab.h"
+#include "spectrum/color_difference.h"
 #include "spectrum/observer.h"
 #include "spectrum/spectrum.h"
 
@@ -17,17 +15,14 @@ struct ViewingConditions {
     Observer observer = cie_1931_2deg();
 };
 
-/// A colour difference of two CIELAB colours: delta_e_1976, or another.
-using LabDifference = std::function<double(const Lab&, const Lab&)>;
-
 /// XYZ of a minus XYZ of b, with Y = 1 for the perfect reflector.
 /// \throws std::invalid_argument as xyz_of_reflectance does.
 [[nodiscard]] XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions);
 
-/// The colour difference of two reflectances, the perfect reflector being white.
+/// The colour difference of two reflectances, `a` the reference, the perfect reflector being white.
 /// \throws std::invalid_argument as xyz_of_reflectance does.
 [[nodiscard]] double lab_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
-                                    const LabDifference& difference);
+                                    const ColorDifference& method);
 
 /// Largest difference of X, Y or Z that still counts as none.
 struct XyzTolerance {
@@ -36,7 +31,7 @@ struct XyzTolerance {
 
 /// Largest colour difference that still counts as none.
 struct LabTolerance {
-    LabDifference difference = delta_e_1976;
+    ColorDifference method = Cie76Difference{};
     double largest = 1e-6;  ///< >= 0
 };
 
@@ -61,6 +56,6 @@ struct MetamerismIndex {
 /// \throws std::invalid_argument as xyz_of_reflectance does, and if X, Y or Z of `b` under the reference conditions is
 /// 0 and that of `a` isn't.
 [[nodiscard]] MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const ViewingConditions& reference,
-                                               const ViewingConditions& test, const LabDifference& difference);
+                                               const ViewingConditions& test, const ColorDifference& method);
 
 }  // namespace emulsion

@@ -37,7 +37,5 @@ TEST(Lab, OfSrgbRed) {
     EXPECT_NEAR(red.b, 67.20, 0.01);
 }
 
-TEST(DeltaE, IsEuclidean) { EXPECT_DOUBLE_EQ(delta_e_1976({50.0, 1.0, 2.0}, {53.0, 5.0, 14.0}), 13.0); }
-
 }  // namespace
 }  // namespace emulsion

@@ -97,17 +97,17 @@ TEST(Metamers, LookTheSameUnderOneLightAndDriftUnderAnother) {
         EXPECT_NEAR(difference.x, 0.0, 1e-14);
         EXPECT_NEAR(difference.y, 0.0, 1e-14);
         EXPECT_NEAR(difference.z, 0.0, 1e-14);
-        EXPECT_LT(lab_difference(a, b, under("D65"), delta_e_1976), 1e-11);
-        EXPECT_GT(lab_difference(a, b, under("A"), delta_e_1976), 0.1);
+        EXPECT_LT(lab_difference(a, b, under("D65"), Cie76Difference{}), 1e-11);
+        EXPECT_GT(lab_difference(a, b, under("A"), Cie76Difference{}), 0.1);
 
         EXPECT_TRUE(are_metameric(a, b, under("D65"), XyzTolerance{1e-9}));
-        EXPECT_TRUE(are_metameric(a, b, under("D65"), LabTolerance{delta_e_1976, 1e-9}));
+        EXPECT_TRUE(are_metameric(a, b, under("D65"), LabTolerance{Cie76Difference{}, 1e-9}));
         EXPECT_FALSE(are_metameric(a, b, under("A"), XyzTolerance{1e-4}));
-        EXPECT_FALSE(are_metameric(a, b, under("A"), LabTolerance{delta_e_1976, 0.1}));
+        EXPECT_FALSE(are_metameric(a, b, under("A"), LabTolerance{Cie76Difference{}, 0.1}));
 
-        const MetamerismIndex index = metamerism_index(a, b, under("D65"), under("A"), delta_e_1976);
+        const MetamerismIndex index = metamerism_index(a, b, under("D65"), under("A"), Cie76Difference{});
         EXPECT_LT(index.reference_difference, 1e-11);
-        EXPECT_NEAR(index.index, lab_difference(a, b, under("A"), delta_e_1976), 1e-10);
+        EXPECT_NEAR(index.index, lab_difference(a, b, under("A"), Cie76Difference{}), 1e-10);
     }
 }
 
@@ -119,7 +119,7 @@ TEST(Metamers, DriftUnderAnotherObserverToo) {
         large_field.observer.value.push_back({table.columns[1][i], table.columns[2][i], table.columns[3][i]});
     }
     const auto [a, b] = metamers(under("D65"), 1);
-    EXPECT_GT(metamerism_index(a, b, under("D65"), large_field, delta_e_1976).index, 0.1);
+    EXPECT_GT(metamerism_index(a, b, under("D65"), large_field, Cie76Difference{}).index, 0.1);
     const auto [c, d] = metamers(large_field, 1);
     EXPECT_TRUE(are_metameric(c, d, large_field, XyzTolerance{1e-13}));
     EXPECT_FALSE(are_metameric(c, d, under("D65"), XyzTolerance{1e-4}));
@@ -127,15 +127,15 @@ TEST(Metamers, DriftUnderAnotherObserverToo) {
 
 TEST(MetamerismIndex, OfEqualReflectancesIsZero) {
     const auto [a, b] = metamers(under("D65"), 3);
-    const MetamerismIndex same = metamerism_index(a, a, under("D65"), under("A"), delta_e_1976);
+    const MetamerismIndex same = metamerism_index(a, a, under("D65"), under("A"), Cie76Difference{});
     EXPECT_EQ(same.index, 0.0);
     EXPECT_EQ(same.reference_difference, 0.0);
     const MetamerismIndex black =
-        metamerism_index(ConstantSpectrum{0.0}, ConstantSpectrum{0.0}, under("D65"), under("A"), delta_e_1976);
+        metamerism_index(ConstantSpectrum{0.0}, ConstantSpectrum{0.0}, under("D65"), under("A"), Cie76Difference{});
     EXPECT_EQ(black.index, 0.0);
     // Greys of different lightness match nowhere, but no light drives them apart: the correction takes it all.
     const MetamerismIndex greys =
-        metamerism_index(ConstantSpectrum{0.4}, ConstantSpectrum{0.5}, under("D65"), under("A"), delta_e_1976);
+        metamerism_index(ConstantSpectrum{0.4}, ConstantSpectrum{0.5}, under("D65"), under("A"), Cie76Difference{});
     EXPECT_GT(greys.reference_difference, 5.0);
     EXPECT_NEAR(greys.index, 0.0, 1e-11);
 }
@@ -145,8 +145,8 @@ TEST(MetamerismIndex, CorrectsAFactorExactly) {
     const auto [a, b] = metamers(under("D65"), 4);
     PiecewiseLinearSpectrum lighter = b;
     for (double& value : lighter.value) value *= 1.02;
-    const MetamerismIndex exact = metamerism_index(a, b, under("D65"), under("A"), delta_e_1976),
-                          corrected = metamerism_index(a, lighter, under("D65"), under("A"), delta_e_1976);
+    const MetamerismIndex exact = metamerism_index(a, b, under("D65"), under("A"), Cie76Difference{}),
+                          corrected = metamerism_index(a, lighter, under("D65"), under("A"), Cie76Difference{});
     EXPECT_GT(corrected.reference_difference, 0.5);
     EXPECT_NEAR(corrected.index, exact.index, 1e-10);
 }
@@ -157,7 +157,7 @@ TEST(MetamerismIndex, GrowsWithTheBlackPart) {
     for (const double amount : {0.25, 0.5, 1.0}) {
         PiecewiseLinearSpectrum part = a;
         for (std::size_t k = 0; k < kKnots; ++k) part.value[k] += amount * (b.value[k] - a.value[k]);
-        const double index = metamerism_index(a, part, under("D65"), under("A"), delta_e_1976).index;
+        const double index = metamerism_index(a, part, under("D65"), under("A"), Cie76Difference{}).index;
         EXPECT_GT(index, 1.8 * last) << "about in proportion";
         last = index;
     }
@@ -168,10 +168,11 @@ TEST(Metamerism, RefusesBadInput) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT([&] { (void)are_metameric(grey, grey, under("D65"), XyzTolerance{-1.0}); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("largest = -1")));
-    EXPECT_THROW((void)are_metameric(grey, grey, under("D65"), LabTolerance{delta_e_1976, kNaN}),
+    EXPECT_THROW((void)are_metameric(grey, grey, under("D65"), LabTolerance{Cie76Difference{}, kNaN}),
                  std::invalid_argument);
-    EXPECT_THAT([&] { (void)metamerism_index(grey, ConstantSpectrum{0.0}, under("D65"), under("A"), delta_e_1976); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("X = 0 of b")));
+    EXPECT_THAT(
+        [&] { (void)metamerism_index(grey, ConstantSpectrum{0.0}, under("D65"), under("A"), Cie76Difference{}); },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("X = 0 of b")));
     EXPECT_THROW((void)xyz_difference(grey, grey, {ConstantSpectrum{0.0}}), std::invalid_argument);
     EXPECT_THROW((void)xyz_difference(grey, ConstantSpectrum{kNaN}, under("D65")), std::invalid_argument);
 }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/units.h"
+#include "spectrum/cie76_difference.h"
 #include "spectrum/cielab.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/data_table.h"
@@ -32,7 +33,7 @@ double difference(const RgbSpace& space, const RGBd& a, const RGBd& b) {
         const auto xyz = matrix * std::array<double, 3>{rgb.r, rgb.g, rgb.b};
         return lab_from_xyz({xyz[0], xyz[1], xyz[2]}, xyz_of(space.white));
     };
-    return delta_e_1976(lab(a), lab(b));
+    return difference(Cie76Difference{}, lab(a), lab(b));
 }
 
 bool within_zero_and_one(const Spectrum& reflectance) {
@@ -115,8 +116,8 @@ TEST(Reflectance, AgreesWithTheExactIntegral) {
     for (const RGBd& rgb : {RGBd{0.8, 0.1, 0.05}, RGBd{0.1, 0.6, 0.2}, RGBd{0.02, 0.1, 0.9}, RGBd{0.3, 0.4, 0.5}}) {
         const auto wanted = xyz_from_rgb(space) * std::array<double, 3>{rgb.r, rgb.g, rgb.b};
         const XYZd integral = xyz_of_reflectance(uplift.reflectance(rgb), d65);
-        EXPECT_LE(delta_e_1976(lab_from_xyz(integral, white),
-                               lab_from_xyz({wanted[0], wanted[1], wanted[2]}, xyz_of(space.white))),
+        EXPECT_LE(difference(Cie76Difference{}, lab_from_xyz(integral, white),
+                             lab_from_xyz({wanted[0], wanted[1], wanted[2]}, xyz_of(space.white))),
                   1e-2)
             << "the fit takes straight lines between whole nanometres, as the renderer does";
     }

@@ -240,7 +240,7 @@ TEST(Bt1886Transfer, WithBlackIsTheStandardsFormula) {
     EXPECT_NEAR(decode(kDim, -2.0 * 0.0595848339685468651), -0.001, 1e-16);
 }
 
-// 203 cd/m^2 at 58 % and 1000 cd/m^2 at 75 % are also in ITU-R BT.2408, table 1 and 4.
+// 203 cd/m^2 at 58 % and 1000 cd/m^2 at 75 % are also in ITU-R BT.2408.
 TEST(PqTransfer, HasTheStandardsValues) {
     const auto code_of = [](double luminance_cdm2) { return encode(PqTransfer{}, luminance_cdm2 / 10000.0); };
     EXPECT_NEAR(code_of(0.0), 7.30955902578396630e-7, 1e-20);
