@@ -37,10 +37,11 @@ struct ColorRenderingMethod {
 /// adaptation to the reference's white; Ra is the mean of the first eight.
 ///
 /// The reference has exactly the light's colour temperature, and daylight the exact weights of its components, not
-/// those rounded to three decimals. So D65 itself has an Ra of 99.998; blackbodies have 100. Source:
-/// CIE 13.3-1995, sections 5.2-5.9, with its test colours at every 5 nm. \throws std::invalid_argument as
-/// validate(Spectrum) does, for a light that is 0 in the visible, has no correlated colour temperature in [500, 25000]
-/// K, and for a method out of range.
+/// those rounded to three decimals. So D65 itself has an Ra of 99.998; blackbodies have 100.
+///
+/// Source: CIE 13.3-1995, section 5, with its test colours at every 5 nm.
+/// \throws std::invalid_argument as validate(Spectrum) does, for a light that is 0 in the visible or has no correlated
+/// colour temperature in [500, 25000] K, and for a method out of range.
 [[nodiscard]] ColorRendering color_rendering(const Spectrum& light, const ColorRenderingMethod& method = {});
 
 }  // namespace emulsion

@@ -24,9 +24,11 @@ struct DominantWavelength {
 
 /// Exact for the locus as it is tabulated: monochromatic light within [violet_nm, red_nm] gets its own wavelength and
 /// purity 1. Beyond, it gets what its chromaticity, which wanders or turns back, has: for CIE 1931 a wavelength of
-/// 698.9 to 699 nm, or a purple next to them, with a purity of 1 to 1e-6. \throws std::invalid_argument if the white is
-/// not inside the spectral locus, or a coordinate is not finite. Source: CIE 15:2004, section 9.1. By the CIE,
-/// chromaticities are those of CIE 1931; any observer's will do if the locus is of the same observer.
+/// 698.9 to 699 nm, or a purple next to them, with a purity of 1 to 1e-6.
+///
+/// Source: CIE 15:2004, section 9.1. By the CIE, chromaticities are those of CIE 1931; any observer's will do if the
+/// locus is of the same observer.
+/// \throws std::invalid_argument if the white is not inside the spectral locus, or a coordinate is not finite.
 [[nodiscard]] DominantWavelength dominant_wavelength(const Chromaticity& chromaticity, const Chromaticity& white,
                                                      const SpectralLocus& locus = cie_1931_spectral_locus());
 

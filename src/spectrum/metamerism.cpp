@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "spectrum/cielab.h"
 #include "spectrum/colorimetry.h"
 
 namespace emulsion {
