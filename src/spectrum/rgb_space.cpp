@@ -67,4 +67,10 @@ Matrix3 xyz_from_rgb(const RgbSpace& space) {
 
 Matrix3 rgb_from_xyz(const RgbSpace& space) { return inverse(xyz_from_rgb(space)); }
 
+Matrix3 rgb_from_rgb(const RgbSpace& from, const RgbSpace& to) { return rgb_from_xyz(to) * xyz_from_rgb(from); }
+
+Matrix3 rgb_from_rgb(const RgbSpace& from, const RgbSpace& to, const Matrix3& adaptation) {
+    return rgb_from_xyz(to) * adaptation * xyz_from_rgb(from);
+}
+
 }  // namespace emulsion

@@ -27,4 +27,11 @@ struct RgbSpace {
 [[nodiscard]] Matrix3 xyz_from_rgb(const RgbSpace& space);
 [[nodiscard]] Matrix3 rgb_from_xyz(const RgbSpace& space);
 
+/// M_to^-1 M_from: from linear RGB of one display to that of another which shows the same XYZ. Nothing is adapted: if
+/// the whites differ, RGB (1, 1, 1) doesn't become (1, 1, 1).
+/// \throws std::invalid_argument as xyz_from_rgb.
+[[nodiscard]] Matrix3 rgb_from_rgb(const RgbSpace& from, const RgbSpace& to);
+/// M_to^-1 A M_from, with A from XYZ under the white of `from` to XYZ under that of `to`.
+[[nodiscard]] Matrix3 rgb_from_rgb(const RgbSpace& from, const RgbSpace& to, const Matrix3& adaptation);
+
 }  // namespace emulsion

@@ -1,0 +1,60 @@
+#pragma once
+// Colour systems: ways to write a colour as three or four numbers, each convertible to and from XYZ. A system's
+// formula, its components with their ranges, its domain and its source are in its own header; docs/colour-systems.md
+// lists all.
+//
+// XYZ is relative: Y = 1 for the white of the context. "Encoded" RGB (R'G'B') has gone through a transfer function,
+// "linear" RGB is proportional to light.
+
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "core/color.h"
+#include "core/named_value.h"
+#include "spectrum/cielab.h"
+#include "spectrum/cieluv.h"
+#include "spectrum/cmy.h"
+#include "spectrum/cmyk.h"
+#include "spectrum/color_context.h"
+#include "spectrum/color_values.h"
+#include "spectrum/hsl.h"
+#include "spectrum/hsv.h"
+#include "spectrum/ictcp_system.h"
+#include "spectrum/ipt.h"
+#include "spectrum/lms.h"
+#include "spectrum/normalised_rgb.h"
+#include "spectrum/oklab.h"
+#include "spectrum/opponent.h"
+#include "spectrum/rgb_systems.h"
+#include "spectrum/uvw_system.h"
+#include "spectrum/xyy.h"
+#include "spectrum/ycbcr.h"
+#include "spectrum/yiq.h"
+#include "spectrum/yuv.h"
+
+namespace emulsion {
+
+/// All colour systems. Beside kName and kHelp (core/named_value.h) each has kComponents, and kDomain: the XYZ that go
+/// there and back, in words. Outside its domain a system gives numbers that aren't finite, or forgets the chromaticity
+/// of a colour without luminance, as its header says; nothing throws. NaN stays NaN.
+using ColorSystem = std::variant<XyzSystem, XyySystem, LabSystem, LchAbSystem, LuvSystem, LchUvSystem, UvwSystem,
+                                 LmsHpeSystem, LmsBradfordSystem, LmsCat02System, LmsCat16System, LmsCie2015System,
+                                 OklabSystem, OklchSystem, IptSystem, IctcpSystem, LinearRgbSystem, NormalisedRgbSystem,
+                                 OpponentSystem, EncodedRgbSystem, HsvSystem, HslSystem, CmySystem, CmykSystem,
+                                 YuvSystem, YiqSystem, YcbcrBt601System, YcbcrBt601NarrowSystem, YcbcrBt709System,
+                                 YcbcrBt709NarrowSystem, YcbcrBt2020System, YcbcrBt2020NarrowSystem>;
+
+/// A system by its name, with its parameters if it has any: "lab", "ictcp:white=100"; in any case.
+/// \throws std::invalid_argument as parse_named does.
+[[nodiscard]] ColorSystem parse_color_system(std::string_view text);
+
+/// Three components, or four.
+[[nodiscard]] std::span<const ColorComponent> components_of(const ColorSystem& system) noexcept;
+
+[[nodiscard]] ColorValues from_xyz(const ColorSystem& system, const XYZd& xyz, const ColorContext& context) noexcept;
+
+/// \throws std::invalid_argument unless the colour has as many components as the system.
+[[nodiscard]] XYZd to_xyz(const ColorSystem& system, const ColorValues& color, const ColorContext& context);
+
+}  // namespace emulsion
