@@ -16,11 +16,11 @@ struct AdobeRgbTransfer {
     bool operator==(const AdobeRgbTransfer&) const = default;
 };
 
-[[nodiscard]] inline double encode(const AdobeRgbTransfer& transfer, double linear) noexcept {
-    return encode(transfer.kPower, linear);
+[[nodiscard]] inline double encode(const AdobeRgbTransfer& /*transfer*/, double linear) noexcept {
+    return encode(AdobeRgbTransfer::kPower, linear);
 }
-[[nodiscard]] inline double decode(const AdobeRgbTransfer& transfer, double encoded) noexcept {
-    return decode(transfer.kPower, encoded);
+[[nodiscard]] inline double decode(const AdobeRgbTransfer& /*transfer*/, double encoded) noexcept {
+    return decode(AdobeRgbTransfer::kPower, encoded);
 }
 
 }  // namespace emulsion
