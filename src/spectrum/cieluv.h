@@ -26,7 +26,8 @@ struct LchUv {
 /// Black is (0, 0, 0). Negative Y is taken, by the toe of L*. Where Y = 0, u* and v* are 0 whatever X and Z are; where
 /// X + 15 Y + 3 Z = 0 otherwise, they are not finite. Source: CIE 15:2004, section 8.2.2; ISO/CIE 11664-5.
 [[nodiscard]] Luv luv_from_xyz(const XYZd& xyz, const XYZd& white) noexcept;
-/// The inverse. L* = 0 is black; not finite there for other u* and v*, nor where v' is 0.
+/// The inverse, to some 1e-16 / |Y|, as the chromaticity fades with the luminance. L* = 0 is black; not finite there
+/// for other u* and v*, nor where v' is 0.
 [[nodiscard]] XYZd xyz_from_luv(const Luv& luv, const XYZd& white) noexcept;
 
 [[nodiscard]] LchUv lch_from_luv(const Luv& luv) noexcept;

@@ -1,8 +1,6 @@
 #include "spectrum/rgb_space.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -10,17 +8,11 @@
 #include <fmt/core.h>
 
 #include "spectrum/data_table.h"
+#include "spectrum/name_key.h"
 
 namespace emulsion {
 
 namespace {
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
 
 std::vector<RgbSpace> tabulated_spaces() {
     const DataTable& table = data_table("rgb_colourspaces");
@@ -38,9 +30,9 @@ std::vector<RgbSpace> tabulated_spaces() {
 
 const RgbSpace& rgb_space(std::string_view name) {
     static const std::vector<RgbSpace> spaces = tabulated_spaces();
-    const std::string wanted = lower_case(name);
+    const std::string wanted = name_key(name);
     for (const RgbSpace& space : spaces) {
-        if (lower_case(space.name) == wanted) return space;
+        if (name_key(space.name) == wanted) return space;
     }
     throw std::invalid_argument(fmt::format("RGB space \"{}\" is unknown: expected one of {}", name,
                                             listed(data_table("rgb_colourspaces").row_names)));

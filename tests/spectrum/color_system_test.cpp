@@ -136,6 +136,9 @@ TEST_P(EveryColorSystem, IsFoundByItsNameInAnyCase) {
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     EXPECT_EQ(parse_color_system(upper), GetParam());
+    std::string joined = text;
+    std::replace(joined.begin(), joined.end(), '-', '_');
+    EXPECT_EQ(parse_color_system(joined), GetParam());
 }
 
 TEST_P(EveryColorSystem, SaysWhatItIs) {
@@ -150,7 +153,8 @@ TEST_P(EveryColorSystem, SaysWhatItIs) {
 
 TEST(ColorSystem, IctcpHasTheLuminanceOfItsWhiteAsAParameter) {
     const ColorContext context;
-    const ColorSystem dim = parse_color_system("ICtCp:white=100");
+    EXPECT_EQ(parse_color_system("ICtCp:White=0.5"), ColorSystem(IctcpSystem{0.5}));
+    const ColorSystem dim = parse_color_system("ictcp:white=100");
     EXPECT_EQ(dim, ColorSystem(IctcpSystem{100.0}));
     // PQ of 100 cd/m^2 is 0.5081 (ITU-R BT.2100), and of 203 cd/m^2 0.5807 (ITU-R BT.2408).
     EXPECT_NEAR(from_xyz(dim, context.white(), context).value[0], 0.5081, 5e-5);

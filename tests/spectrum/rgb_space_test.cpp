@@ -127,6 +127,7 @@ TEST(RgbFromRgb, KeepsTheWhiteOnlyWhenAdapted) {
 TEST(RgbSpace, NamesAreFoundInAnyCase) {
     EXPECT_EQ(rgb_space("SRGB"), rgb_space("srgb"));
     EXPECT_EQ(rgb_space("display_p3").name, "Display_P3");
+    EXPECT_EQ(rgb_space("Display P3").name, "Display_P3");
 }
 
 TEST(RgbSpace, UnknownNamesListWhatExists) {
