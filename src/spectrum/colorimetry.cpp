@@ -1,77 +1,57 @@
 #include "spectrum/colorimetry.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <stdexcept>
 #include <variant>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "core/units.h"
+#include "spectrum/integral.h"
 
 namespace emulsion {
 
 namespace {
 
-// Adaptive Simpson's rule with Richardson's correction: exact for cubics (the product of up to three straight lines),
-// halved where that isn't enough. fa, fm, fb: values at the ends and in the middle.
-template <class Function>
-double adaptive_simpson(const Function& f, double a, double b, double fa, double fm, double fb, int depth) {
-    const double m = 0.5 * (a + b);
-    const double f_left = f(0.5 * (a + m)), f_right = f(0.5 * (m + b));
-    const double whole = (b - a) / 6.0 * (fa + 4.0 * fm + fb);
-    const double halves = (b - a) / 12.0 * (fa + 4.0 * f_left + 2.0 * fm + 4.0 * f_right + fb);
-    const double magnitude = (b - a) * (std::abs(fa) + std::abs(fm) + std::abs(fb));
-    const double difference = halves - whole;
-    if (depth == 0 || std::abs(difference) <= 1e-11 * magnitude) return halves + difference / 15.0;
-    return adaptive_simpson(f, a, m, fa, f_left, fm, depth - 1) + adaptive_simpson(f, m, b, fm, f_right, fb, depth - 1);
+void require_light(double luminance) {
+    if (!(std::abs(luminance) > 0.0)) {
+        throw std::invalid_argument("illuminant: its luminance is 0, expected another value");
+    }
 }
 
-// Where an integral over the observer's range has to be cut: every knot of observer and spectra.
-std::vector<double> cuts_nm(const Observer& observer, std::initializer_list<const Spectrum*> spectra) {
-    std::vector<double> cuts;
-    for (int lambda_nm = observer.first_nm; lambda_nm <= observer.last_nm(); ++lambda_nm) cuts.push_back(lambda_nm);
-    for (const Spectrum* spectrum : spectra) {
-        for (const double lambda_nm : knots_nm(*spectrum)) {
-            if (lambda_nm > observer.first_nm && lambda_nm < observer.last_nm()) cuts.push_back(lambda_nm);
-        }
+/// first_nm, first_nm + step_nm, ... up to last_nm.
+std::vector<double> grid_nm(double first_nm, double last_nm, double step_nm) {
+    constexpr double kMostSteps = 1e6;
+    // 780 may be reached a rounding error too late.
+    const double steps = std::floor((last_nm - first_nm) / step_nm * (1.0 + 1e-12));
+    if (!std::isfinite(first_nm) || !(step_nm > 0.0) || !(steps >= 0.0 && steps <= kMostSteps)) {
+        throw std::invalid_argument(
+            fmt::format("summation: {} nm to {} nm by {} nm: expected finite numbers in order, a step > 0, and at most "
+                        "a million steps",
+                        first_nm, last_nm, step_nm));
     }
-    std::sort(cuts.begin(), cuts.end());
-    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-    return cuts;
+    std::vector<double> grid(static_cast<std::size_t>(steps) + 1);
+    for (std::size_t i = 0; i < grid.size(); ++i) grid[i] = first_nm + static_cast<double>(i) * step_nm;
+    return grid;
 }
 
-// Integral over nm of the spectra's product times one of the observer's functions.
-double integral(std::initializer_list<const Spectrum*> spectra, const Observer& observer, double XYZd::*function) {
-    constexpr int kMaxDepth = 30;
-    const auto at_end = [&](double lambda_nm, Side side) {
-        double product = eval(observer, lambda_nm).*function;
-        for (const Spectrum* spectrum : spectra) product *= limit(*spectrum, lambda_nm, side);
-        return product;
-    };
-    const auto inside = [&](double lambda_nm) {
-        double product = eval(observer, lambda_nm).*function;
-        for (const Spectrum* spectrum : spectra) product *= eval(*spectrum, lambda_nm);
-        return product;
-    };
-    const std::vector<double> cuts = cuts_nm(observer, spectra);
-    double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        const double a = cuts[i], b = cuts[i + 1];
-        // The limits are those from inside the interval: spectra may jump at its ends.
-        sum += adaptive_simpson(inside, a, b, at_end(a, Side::above), inside(0.5 * (a + b)), at_end(b, Side::below),
-                                kMaxDepth);
+std::vector<double> values_on(const std::vector<double>& grid_nm, const Spectrum& spectrum) {
+    validate(spectrum);
+    if (!delta_lines(spectrum).empty()) {
+        throw std::invalid_argument(
+            "summation: the spectrum has lines without width: expected a continuum only, or an integral in place of "
+            "the sum");
     }
-    return sum;
+    std::vector<double> values(grid_nm.size());
+    eval(spectrum, grid_nm, values);
+    return values;
 }
 
 }  // namespace
 
-double photometric_integral(const Spectrum& spectrum) {
-    validate(spectrum);
-    return integral({&spectrum}, cie_1931_2deg(), &XYZd::y);
-}
+double photometric_integral(const Spectrum& spectrum) { return integral_with_observer({spectrum}, cie_1931_2deg()).y; }
 
 double light_normalisation(const Spectrum& spectrum) {
     if (const auto* light = std::get_if<RgbIlluminantSpectrum>(&spectrum)) {
@@ -82,22 +62,37 @@ double light_normalisation(const Spectrum& spectrum) {
 }
 
 XYZd xyz_of_radiance(const Spectrum& radiance, const Observer& observer) {
-    validate(radiance);
-    const auto component = [&](double XYZd::*function) { return integral({&radiance}, observer, function); };
-    return kLuminousEfficacy * XYZd{component(&XYZd::x), component(&XYZd::y), component(&XYZd::z)};
+    return kLuminousEfficacy * integral_with_observer({radiance}, observer);
 }
 
 XYZd xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, const Observer& observer) {
-    validate(reflectance);
-    validate(illuminant);
-    const double white = integral({&illuminant}, observer, &XYZd::y);
-    if (!(std::abs(white) > 0.0)) {
-        throw std::invalid_argument("illuminant: its luminance is 0, expected another value");
+    const double white = integral_with_observer({illuminant}, observer).y;
+    require_light(white);
+    return (1.0 / white) * integral_with_observer({reflectance, illuminant}, observer);
+}
+
+XYZd xyz_by_summation(const Spectrum& reflectance, const Spectrum& illuminant, const Observer& observer,
+                      double first_nm, double last_nm, double step_nm) {
+    const std::vector<double> lambda_nm = grid_nm(first_nm, last_nm, step_nm);
+    const std::vector<double> light = values_on(lambda_nm, illuminant), share = values_on(lambda_nm, reflectance);
+    XYZd sum;
+    double white = 0.0;
+    for (std::size_t i = 0; i < lambda_nm.size(); ++i) {
+        const XYZd weighted = light[i] * eval(observer, lambda_nm[i]);
+        sum = sum + share[i] * weighted;
+        white += weighted.y;
     }
-    const auto component = [&](double XYZd::*function) {
-        return integral({&reflectance, &illuminant}, observer, function) / white;
-    };
-    return {component(&XYZd::x), component(&XYZd::y), component(&XYZd::z)};
+    require_light(white);
+    return (1.0 / white) * sum;
+}
+
+XYZd xyz_of_radiance_by_summation(const Spectrum& radiance, const Observer& observer, double first_nm, double last_nm,
+                                  double step_nm) {
+    const std::vector<double> lambda_nm = grid_nm(first_nm, last_nm, step_nm);
+    const std::vector<double> values = values_on(lambda_nm, radiance);
+    XYZd sum;
+    for (std::size_t i = 0; i < lambda_nm.size(); ++i) sum = sum + values[i] * eval(observer, lambda_nm[i]);
+    return (kLuminousEfficacy * step_nm) * sum;
 }
 
 }  // namespace emulsion

@@ -24,10 +24,11 @@ std::vector<double> union_of_knots(const std::vector<Spectrum>& parts) {
     return knots;
 }
 
+bool by_wavelength(const Line& a, const Line& b) noexcept { return a.lambda_nm < b.lambda_nm; }
+
 /// Increasing, with the powers of lines at one wavelength added up.
 std::vector<Line> merged(std::vector<Line> lines) {
-    std::stable_sort(lines.begin(), lines.end(),
-                     [](const Line& a, const Line& b) { return a.lambda_nm < b.lambda_nm; });
+    std::stable_sort(lines.begin(), lines.end(), by_wavelength);
     std::vector<Line> result;
     for (const Line& line : lines) {
         if (!result.empty() && result.back().lambda_nm == line.lambda_nm) {
@@ -37,6 +38,13 @@ std::vector<Line> merged(std::vector<Line> lines) {
         }
     }
     return result;
+}
+
+std::vector<const Spectrum*> pointers_to(const std::vector<Spectrum>& spectra) {
+    std::vector<const Spectrum*> pointers;
+    pointers.reserve(spectra.size());
+    for (const Spectrum& spectrum : spectra) pointers.push_back(&spectrum);
+    return pointers;
 }
 
 }  // namespace
@@ -81,18 +89,30 @@ std::vector<double> knots_nm(const ProductSpectrum& spectrum) { return union_of_
 
 std::vector<double> knots_nm(const SumSpectrum& spectrum) { return union_of_knots(spectrum.term); }
 
-std::vector<Line> delta_lines(const ProductSpectrum& spectrum) {
+std::vector<Line> delta_lines_of_product(std::span<const Spectrum* const> factors) {
     std::vector<Line> lines;
-    for (const Spectrum& factor : spectrum.factor) {
-        for (Line line : delta_lines(factor)) {
-            line.power *= spectrum.scale;
-            for (const Spectrum& other : spectrum.factor) {
-                if (&other != &factor) line.power *= eval(other, line.lambda_nm);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        for (Line line : delta_lines(*factors[i])) {
+            for (std::size_t j = 0; j < factors.size(); ++j) {
+                if (j != i) line.power *= eval(*factors[j], line.lambda_nm);
             }
             lines.push_back(line);
         }
     }
-    return merged(std::move(lines));
+    std::sort(lines.begin(), lines.end(), by_wavelength);
+    const auto twice = std::adjacent_find(lines.begin(), lines.end(),
+                                          [](const Line& a, const Line& b) { return a.lambda_nm == b.lambda_nm; });
+    if (twice != lines.end()) {
+        throw_bad_spectrum("product of spectra: lines without width in two factors, lambda_nm", twice->lambda_nm,
+                           "lines at different wavelengths, or Gaussian ones");
+    }
+    return lines;
+}
+
+std::vector<Line> delta_lines(const ProductSpectrum& spectrum) {
+    std::vector<Line> lines = delta_lines_of_product(pointers_to(spectrum.factor));
+    for (Line& line : lines) line.power *= spectrum.scale;
+    return lines;
 }
 
 std::vector<Line> delta_lines(const SumSpectrum& spectrum) {
@@ -107,17 +127,8 @@ std::vector<Line> delta_lines(const SumSpectrum& spectrum) {
 
 void validate(const ProductSpectrum& spectrum) {
     require_finite("product of spectra: scale", spectrum.scale);
-    std::vector<double> wavelengths_nm;
-    for (const Spectrum& factor : spectrum.factor) {
-        validate(factor);
-        for (const Line& line : delta_lines(factor)) wavelengths_nm.push_back(line.lambda_nm);
-    }
-    std::sort(wavelengths_nm.begin(), wavelengths_nm.end());
-    const auto twice = std::adjacent_find(wavelengths_nm.begin(), wavelengths_nm.end());
-    if (twice != wavelengths_nm.end()) {
-        throw_bad_spectrum("product of spectra: lines without width in two factors, lambda_nm", *twice,
-                           "lines at different wavelengths, or Gaussian ones");
-    }
+    for (const Spectrum& factor : spectrum.factor) validate(factor);
+    (void)delta_lines_of_product(pointers_to(spectrum.factor));
 }
 
 void validate(const SumSpectrum& spectrum) {

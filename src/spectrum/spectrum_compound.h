@@ -1,6 +1,7 @@
 #pragma once
 // Products and scaled sums of spectra, of any kind and to any depth.
 
+#include <span>
 #include <vector>
 
 #include "spectrum/spectrum_lines.h"
@@ -36,6 +37,10 @@ void eval(const SumSpectrum& spectrum, const OffsetWavelengths& at, std::span<do
 
 [[nodiscard]] std::vector<Line> delta_lines(const ProductSpectrum& spectrum);
 [[nodiscard]] std::vector<Line> delta_lines(const SumSpectrum& spectrum);
+
+/// Of the product of the factors, by increasing wavelength.
+/// \throws std::invalid_argument for lines without width at one wavelength in two factors.
+[[nodiscard]] std::vector<Line> delta_lines_of_product(std::span<const Spectrum* const> factors);
 
 /// \throws std::invalid_argument naming the field, its value and its range; as the parts do; for two lines without
 /// width at one wavelength in different factors.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/units.h"
 #include "spectrum/data_table.h"
 #include "spectrum/spectrum_checks.h"
 #include "spectrum/spectrum_linear.h"
@@ -40,10 +39,6 @@ Chromaticity on_locus(double temperature_K) noexcept {
 
 }  // namespace
 
-double daylight_temperature_of_nominal(double nominal_K) noexcept {
-    return nominal_K * (kSecondRadiation1968_mK / kSecondRadiationDaylight_mK);
-}
-
 Chromaticity daylight_chromaticity(double temperature_K) {
     require_daylight(temperature_K);
     return on_locus(temperature_K);
@@ -61,17 +56,14 @@ void eval(const DaylightSpectrum& spectrum, const OffsetWavelengths& at, std::sp
         m1 = std::round(1000.0 * m1) / 1000.0;
         m2 = std::round(1000.0 * m2) / 1000.0;
     }
-    const auto& [s0, s1, s2] = components();
-    eval(s0, at, values);
-    for_each_block(at, values,
-                   [&, weight = std::array{m1, m2}](const OffsetWavelengths& block, std::span<double> block_values) {
-                       WavelengthBlock first{}, second{};
-                       eval(components()[1], block, first);
-                       eval(components()[2], block, second);
-                       for (std::size_t i = 0; i < block.size(); ++i) {
-                           block_values[i] += weight[0] * first[i] + weight[1] * second[i];
-                       }
-                   });
+    const std::array weights = {m1, m2};
+    eval(components()[0], at, values);
+    for_each_block(at, values, [&weights](const OffsetWavelengths& block, std::span<double> block_values) {
+        WavelengthBlock s1{}, s2{};
+        eval(components()[1], block, s1);
+        eval(components()[2], block, s2);
+        for (std::size_t i = 0; i < block.size(); ++i) block_values[i] += weights[0] * s1[i] + weights[1] * s2[i];
+    });
 }
 
 double limit(const DaylightSpectrum& spectrum, double lambda_nm, Side side) noexcept {

@@ -44,10 +44,10 @@ std::vector<double> steep_places_nm(const SigmoidSpectrum& spectrum, double from
         const double lambda_nm = kSigmoidStart_nm + kSigmoidRange_nm * t;
         if (lambda_nm > from_nm && lambda_nm < to_nm) places.push_back(lambda_nm);
     };
-    // Around t, where the argument grows by 1 over `width`, out to where nothing is narrow any more: 1 nm.
+    // Around t, where the argument grows by 1 over `width`: the tails fall with its square, so ever wider steps do.
     const auto add_around = [&](double t, double width) {
         add(t);
-        for (double distance = width; distance < 1.0 / kSigmoidRange_nm; distance *= 8.0) {
+        for (double distance = width; distance < 1.0; distance *= 6.0) {
             if (t + distance == t) continue;
             add(t - distance);
             add(t + distance);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
 #include <fmt/core.h>
 
+#include "spectrum/integral_panels.h"
 #include "spectrum/observer.h"
 
 namespace emulsion {
@@ -29,31 +31,57 @@ struct CellMoments {
     double greatest = -std::numeric_limits<double>::infinity();  // of S
 };
 
-CellMoments moments_of(const Spectrum& spectrum, double first_nm, std::span<const double> inner_knots_nm) {
+/// Integral of ybar over a cell: a straight line.
+double observer_integral(double first_nm) {
+    return 0.5 * (eval(cie_1931_2deg(), first_nm).y + eval(cie_1931_2deg(), first_nm + 1.0).y);
+}
+
+/// Of the continuum; cuts_nm: the ends of the cell and the knots inside.
+CellMoments moments_of(const Spectrum& spectrum, std::span<const double> cuts_nm) {
+    const double first_nm = cuts_nm.front();
+    std::optional<int> degree = polynomial_degree(spectrum);
+    if (degree) ++*degree;
+    const auto integrand = [&](const OffsetWavelengths& at, std::span<Sums<3>> values) {
+        WavelengthBlock spectrum_values{};
+        eval(spectrum, at, std::span(spectrum_values).first(at.size()));
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const double t = (at.base_nm - first_nm) + at.offset_nm[i];
+            values[i] = {spectrum_values[i], spectrum_values[i] * (t - 0.5),
+                         spectrum_values[i] * eval(cie_1931_2deg(), at[i]).y};
+        }
+    };
     CellMoments moments;
-    double from_nm = first_nm;
-    for (std::size_t piece = 0; piece <= inner_knots_nm.size(); ++piece) {
-        const double to_nm = piece < inner_knots_nm.size() ? inner_knots_nm[piece] : first_nm + 1.0;
-        const double middle_nm = 0.5 * (from_nm + to_nm);
-        // Simpson's rule: exact for two straight lines, and so for each of the integrals.
-        const auto add = [&](double weight, double lambda_nm, double value) {
-            const double share = weight / 6.0 * (to_nm - from_nm), ybar = eval(cie_1931_2deg(), lambda_nm).y;
-            moments.mean += share * value;
-            moments.first += share * value * (lambda_nm - first_nm - 0.5);
-            moments.luminance += share * value * ybar;
-            moments.observer += share * ybar;
-            moments.least = std::min(moments.least, value);
-            moments.greatest = std::max(moments.greatest, value);
-        };
-        add(1.0, from_nm, limit(spectrum, from_nm, Side::above));
-        add(4.0, middle_nm, eval(spectrum, middle_nm));
-        add(1.0, to_nm, limit(spectrum, to_nm, Side::below));
-        from_nm = to_nm;
+    const Sums<3> sums = integral_over_cuts<3>(cuts_nm, degree, integrand);
+    moments.mean = sums[0];
+    moments.first = sums[1];
+    moments.luminance = sums[2];
+    moments.observer = observer_integral(first_nm);
+    const auto include = [&moments](double value) {
+        moments.least = std::min(moments.least, value);
+        moments.greatest = std::max(moments.greatest, value);
+    };
+    for (std::size_t i = 0; i + 1 < cuts_nm.size(); ++i) {
+        include(limit(spectrum, cuts_nm[i], Side::above));
+        include(eval(spectrum, 0.5 * (cuts_nm[i] + cuts_nm[i + 1])));
+        include(limit(spectrum, cuts_nm[i + 1], Side::below));
     }
     return moments;
 }
 
-/// The line for a cell that has knots inside.
+/// Of a line without width, spread over its cell: anything between it and 0 is in range.
+CellMoments moments_of(const Line& line, double first_nm) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    CellMoments moments;
+    moments.mean = line.power;
+    moments.first = line.power * (line.lambda_nm - first_nm - 0.5);
+    moments.luminance = line.power * eval(cie_1931_2deg(), line.lambda_nm).y;
+    moments.observer = observer_integral(first_nm);
+    moments.least = line.power < 0.0 ? -kInfinity : 0.0;
+    moments.greatest = line.power > 0.0 ? kInfinity : 0.0;
+    return moments;
+}
+
+/// The line for a cell that has knots or a line inside.
 CellLine fitted_line(const CellMoments& of) {
     const CellLine nearest = {of.mean - 6.0 * of.first, of.mean + 6.0 * of.first};
     // ybar is a straight line too, so that `nearest` keeps the luminance; so does this constant, and what lies between.
@@ -69,18 +97,35 @@ CellLine fitted_line(const CellMoments& of) {
     return {pulled(nearest.start), pulled(nearest.end)};
 }
 
+/// The last cell has both its ends.
+bool is_in_cell(double lambda_nm, int first_nm) noexcept {
+    return lambda_nm >= first_nm &&
+           (lambda_nm < first_nm + 1 || (first_nm + 1 == kMaxWavelength_nm && lambda_nm == kMaxWavelength_nm));
+}
+
 }  // namespace
 
 SpectrumTable::SpectrumTable(const Spectrum& spectrum, double scale) {
     validate(spectrum);
     const std::vector<double> knots = knots_nm(spectrum);
+    const std::vector<Line> delta = delta_lines(spectrum);
     lines_.reserve(kMaxWavelength_nm - kMinWavelength_nm);
     for (int lambda_nm = kMinWavelength_nm; lambda_nm < kMaxWavelength_nm; ++lambda_nm) {
         // Limits from inside the cell, so that a jump at a whole nanometre stays a jump.
         CellLine line = {limit(spectrum, lambda_nm, Side::above), limit(spectrum, lambda_nm + 1, Side::below)};
         const auto first = std::upper_bound(knots.begin(), knots.end(), lambda_nm);
         const auto last = std::lower_bound(first, knots.end(), lambda_nm + 1);
-        if (first != last) line = fitted_line(moments_of(spectrum, lambda_nm, {first, last}));
+        if (first != last) {
+            std::vector<double> cuts = {static_cast<double>(lambda_nm)};
+            cuts.insert(cuts.end(), first, last);
+            cuts.push_back(lambda_nm + 1);
+            line = fitted_line(moments_of(spectrum, cuts));
+        }
+        for (const Line& narrow : delta) {
+            if (!is_in_cell(narrow.lambda_nm, lambda_nm)) continue;
+            const CellLine spread = fitted_line(moments_of(narrow, lambda_nm));
+            line = {line.start + spread.start, line.end + spread.end};
+        }
 
         const double start = scale * line.start, end = scale * line.end;
         lines_.push_back({static_cast<float>(start), static_cast<float>(end - start)});

@@ -7,7 +7,8 @@
 // and first moment, and so its integral against any straight line, such as the observer's between whole nanometres. If
 // that line leaves the range of the spectrum's values there (reflectances must stay in [0, 1], lights positive), it is
 // pulled towards a constant as far as needed; the luminance is kept all the same, the other two of XYZ nearly. So
-// however narrow a line of a light is, and wherever it lies, it is as bright as it should be.
+// however narrow a line of a light is, and wherever it lies, it is as bright as it should be. A line without width is
+// treated alike: it is spread over the nanometre that it lies in (at a whole nanometre, the one above), and added.
 
 #include <algorithm>
 #include <array>
@@ -47,17 +48,17 @@ class SpectrumTable {
     [[nodiscard]] SampledSpectrum<N> at(const SpectrumTableIndex<N>& index) const noexcept {
         SampledSpectrum<N> values;
         for (std::size_t i = 0; i < N; ++i) {
-            const Line& line = lines_[static_cast<std::size_t>(index.cell[i])];
+            const CellValue& line = lines_[static_cast<std::size_t>(index.cell[i])];
             values.value[i] = line.start + index.fraction[i] * line.slope;
         }
         return values;
     }
 
   private:
-    struct Line {
+    struct CellValue {
         float start, slope;  // value at the cell's start; rise over the cell
     };
-    std::vector<Line> lines_;
+    std::vector<CellValue> lines_;
 };
 
 }  // namespace emulsion
