@@ -31,7 +31,7 @@ std::vector<Light> lights() {
     const auto tabulated = [](const char* name) {
         return Light{name, tabulated_spectrum("illuminants_5nm", name), {}};
     };
-    // Mercury's lines on a lamp's continuum: about half of the light each.
+    // Mercury's lines on a lamp's continuum: 29% of its X + Y + Z.
     return {tabulated("D65"), tabulated("FL11"), tabulated("HP1"),
             Light{"lines", BlackbodySpectrum{3000.0}, {{435.833, 6.0}, {546.074, 12.0}, {578.013, 9.0}}}};
 }
@@ -59,17 +59,6 @@ XYZd estimate(const Light& light, const SampledLineWavelengths<N>& wavelengths) 
     return (1.0 / N) * sum;
 }
 
-// Calls run<N>() for every count that the library is compiled for.
-template <class Run>
-void for_each_count(Run&& run) {
-    run.template operator()<1>();
-    run.template operator()<2>();
-    run.template operator()<4>();
-    run.template operator()<8>();
-    run.template operator()<16>();
-    run.template operator()<32>();
-}
-
 // Relative RMS error of X, Y and Z.
 template <int N>
 XYZd relative_rms(const WavelengthSampler& sampler, const Light& light) {
@@ -91,7 +80,7 @@ void print_errors() {
     for (const Light& light : all) std::printf(" %s |", light.name.c_str());
     std::printf("\n| --- | ---: | --- | --- | --- | --- |\n");
     for_each_alternative<WavelengthStrategy>([&]<class Strategy>(const Strategy& strategy) {
-        for_each_count([&]<int N>() {
+        for_each_wavelength_count([&]<int N>() {
             std::printf("| %s | %d |", std::string(Strategy::kName).c_str(), N);
             for (const Light& light : all) {
                 if (!light.lines.empty() && !std::is_same_v<Strategy, HeroLines>) {
@@ -117,7 +106,7 @@ class Numbers {
     float operator()() noexcept { return numbers_[next_++ % numbers_.size()]; }
 
   private:
-    std::array<float, 4096> numbers_;
+    std::array<float, 4096> numbers_{};
     std::size_t next_ = 0;
 };
 
@@ -138,39 +127,53 @@ bool twins_agree(const WavelengthSampler& sampler) {
     return true;
 }
 
-template <int N, class Draw>
-void time_drawing(benchmark::State& state, const WavelengthSampler& sampler, Draw&& draw) {
-    if (!twins_agree<N>(sampler)) {
-        state.SkipWithError("the fast path differs from its twin");
-        return;
-    }
-    Numbers numbers;
-    for (auto _ : state) benchmark::DoNotOptimize(draw(numbers));
-    state.counters["per_wavelength"] = benchmark::Counter(
-        N, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert, benchmark::Counter::kIs1000);
+std::vector<WavelengthStrategy> strategies() {
+    std::vector<WavelengthStrategy> all;
+    for_each_alternative<WavelengthStrategy>([&](const auto& strategy) { all.emplace_back(strategy); });
+    return all;
 }
 
-void quick(benchmark::internal::Benchmark* registered) {
-    registered->MinTime(0.02)->Repetitions(5)->ReportAggregatesOnly(true);
-}
-
-void register_timings() {
-    const Light light = lights().back();
-    const WavelengthImportance importance = importance_of(light);
-    for_each_alternative<WavelengthStrategy>([&]<class Strategy>(const Strategy& strategy) {
-        const WavelengthSampler sampler = prepare(strategy, importance);
-        for_each_count([&]<int N>() {
-            const std::string name = std::string(Strategy::kName) + '/' + std::to_string(N);
-            quick(benchmark::RegisterBenchmark((name + "/fast").c_str(), [sampler](benchmark::State& state) {
-                time_drawing<N>(state, sampler, [&](Numbers& u) { return sample_wavelengths<N>(sampler, u); });
-            }));
-            quick(benchmark::RegisterBenchmark((name + "/twin").c_str(), [sampler](benchmark::State& state) {
-                time_drawing<N>(state, sampler,
-                                [&](Numbers& u) { return sample_wavelengths_reference<N>(sampler, u); });
-            }));
-        });
+// draw(sampler, numbers, N as a constant) for the strategy and N of the state.
+template <class Draw>
+void time_drawing(benchmark::State& state, const Draw& draw) {
+    const WavelengthStrategy strategy = strategies()[static_cast<std::size_t>(state.range(0))];
+    const WavelengthSampler sampler = prepare(strategy, importance_of(lights().back()));
+    state.SetLabel(to_text(strategy));
+    for_each_wavelength_count([&]<int N>() {
+        if (state.range(1) != N) return;
+        if (!twins_agree<N>(sampler)) {
+            state.SkipWithError("the fast path differs from its twin");
+            return;
+        }
+        Numbers numbers;
+        for (auto _ : state) benchmark::DoNotOptimize(draw(sampler, numbers, std::integral_constant<int, N>{}));
+        using benchmark::Counter;
+        state.counters["per_wavelength"] =
+            Counter(N, Counter::kIsIterationInvariantRate | Counter::kInvert, Counter::kIs1000);
     });
 }
+
+void fast(benchmark::State& state) {
+    time_drawing(state, []<int N>(const WavelengthSampler& sampler, Numbers& numbers, std::integral_constant<int, N>) {
+        return sample_wavelengths<N>(sampler, numbers);
+    });
+}
+
+void twin(benchmark::State& state) {
+    time_drawing(state, []<int N>(const WavelengthSampler& sampler, Numbers& numbers, std::integral_constant<int, N>) {
+        return sample_wavelengths_reference<N>(sampler, numbers);
+    });
+}
+
+void every_strategy_and_count(benchmark::internal::Benchmark* registered) {
+    registered->ArgNames({"strategy", "N"})->MinTime(0.02)->Repetitions(5)->ReportAggregatesOnly(true);
+    for (std::size_t strategy = 0; strategy < strategies().size(); ++strategy) {
+        for (const int n : kWavelengthCounts) registered->Args({static_cast<std::int64_t>(strategy), n});
+    }
+}
+
+BENCHMARK(fast)->Apply(every_strategy_and_count);
+BENCHMARK(twin)->Apply(every_strategy_and_count);
 
 }  // namespace
 }  // namespace emulsion
@@ -179,7 +182,6 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     emulsion::print_errors();
-    emulsion::register_timings();
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

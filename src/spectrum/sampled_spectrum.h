@@ -4,11 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace emulsion {
 
 /// The numbers of wavelengths per path that the library is compiled for.
 inline constexpr std::array<int, 6> kWavelengthCounts = {1, 2, 4, 8, 16, 32};
+
+/// Calls visitor.template operator()<N>() for each of them: visitor is a lambda []<int N>() { ... }.
+template <class Visitor>
+constexpr void for_each_wavelength_count(Visitor&& visitor) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (visitor.template operator()<kWavelengthCounts[I]>(), ...); }
+    (std::make_index_sequence<kWavelengthCounts.size()>{});
+}
 
 /// N wavelengths of one path.
 template <int N>

@@ -28,36 +28,41 @@ WavelengthCells::WavelengthCells(const WavelengthImportance& importance, float u
     validate(importance);
     check_range(uniform_share, kUniformShareRange, "wavelengths: uniform_share");
 
-    // The cells in the order of wavelength: each nanometre, then the lines in it.
-    const std::vector<std::size_t> order = by_wavelength(importance.lines);
-    const double cell_count = static_cast<double>(kWavelengthCells + order.size());
+    const std::size_t cell_count = kWavelengthCells + importance.lines.size();
     const auto even = static_cast<double>(uniform_share);
     const double scale = (1.0 - even) / sum_of(importance);
-    const auto share_of = [&](double value) { return scale * value + even / cell_count; };
-    std::vector<double> share;
-    std::size_t next = 0;
+    add_cells(importance, [&](double value) { return scale * value + even / static_cast<double>(cell_count); });
+    lay_out();
+    fill_buckets();
+}
+
+template <class ShareOf>
+void WavelengthCells::add_cells(const WavelengthImportance& importance, const ShareOf& share_of) {
+    start_ = {0.0};
+    const auto add = [&](double lambda_nm, double value, std::int32_t line) {
+        start_.push_back(start_.back() + share_of(value));
+        lambda_nm_.push_back(lambda_nm);
+        cells_.push_back({0.0, 0.0, 0.0, 0.0f, line});
+    };
+    const std::vector<std::size_t> order = by_wavelength(importance.lines);
+    auto next = order.begin();
     for (std::size_t nm = 0; nm < kWavelengthCells; ++nm) {
         const double start_nm = kMinWavelength_nm + static_cast<double>(nm);
-        share.push_back(share_of(importance.per_nm[nm]));
-        lambda_nm_.push_back(start_nm);
-        cells_.push_back({0.0, 0.0, 0.0, 0.0f, kNoLine});
-        const bool last = nm + 1 == kWavelengthCells;
-        for (; next < order.size() && (last || importance.lines[order[next]].lambda_nm < start_nm + 1.0); ++next) {
-            const LineImportance& line = importance.lines[order[next]];
-            share.push_back(share_of(line.importance));
-            lambda_nm_.push_back(line.lambda_nm);
-            cells_.push_back({0.0, 0.0, 0.0, 0.0f, static_cast<std::int32_t>(order[next])});
+        add(start_nm, importance.per_nm[nm], kNoLine);
+        // The last nanometre takes the line at its end too.
+        const bool is_last = nm + 1 == kWavelengthCells;
+        for (; next != order.end() && (is_last || importance.lines[*next].lambda_nm < start_nm + 1.0); ++next) {
+            const LineImportance& line = importance.lines[*next];
+            add(line.lambda_nm, line.importance, static_cast<std::int32_t>(*next));
         }
     }
+    mass_.resize(order.size());
+}
 
-    // Their intervals of u: the sum is 1 but for rounding, and divided out.
-    start_.assign(share.size() + 1, 0.0);
-    std::partial_sum(share.begin(), share.end(), start_.begin() + 1);
+void WavelengthCells::lay_out() {
+    // The sum is 1 but for rounding.
     const double total = start_.back();
     for (double& start : start_) start /= total;
-    density_.resize(kWavelengthCells);
-    mass_.resize(order.size());
-    std::size_t nm = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         Cell& cell = cells_[i];
         const double probability = start_[i + 1] - start_[i];
@@ -66,22 +71,23 @@ WavelengthCells::WavelengthCells(const WavelengthImportance& importance, float u
         cell.at_zero_nm = lambda_nm_[i] - start_[i] * cell.slope_nm;
         cell.pdf = static_cast<float>(probability);
         if (cell.line == kNoLine) {
-            density_[nm++] = probability;
+            density_.push_back(probability);
         } else {
             mass_[static_cast<std::size_t>(cell.line)] = probability;
         }
     }
-    fill_buckets();
 }
 
 void WavelengthCells::fill_buckets() {
     double least = 1.0;
     for (std::size_t i = 0; i < cells_.size(); ++i) least = std::min(least, start_[i + 1] - start_[i]);
     // A hair more than 1/M, so that rounding can't put two ends into one bucket.
-    while (least * buckets_ < 1.0 + 1e-9) buckets_ *= 2.0;
+    std::size_t count = 1;
+    while (least * static_cast<double>(count) < 1.0 + 1e-9) count *= 2;
+    buckets_ = static_cast<double>(count);
     std::size_t cell = 0;
-    for (double bucket = 0.0; bucket < buckets_; bucket += 1.0) {
-        while (start_[cell + 1] <= bucket / buckets_) ++cell;
+    for (std::size_t bucket = 0; bucket < count; ++bucket) {
+        while (start_[cell + 1] <= static_cast<double>(bucket) / buckets_) ++cell;
         first_cell_.push_back(static_cast<std::uint16_t>(cell));
     }
 }

@@ -71,6 +71,11 @@ class WavelengthCells {
         std::int32_t line;
     };
 
+    // In the order of wavelength: each nanometre, then the lines in it. share_of(importance): a cell's probability.
+    template <class ShareOf>
+    void add_cells(const WavelengthImportance& importance, const ShareOf& share_of);
+    // Cells' intervals of u and their straight lines.
+    void lay_out();
     void fill_buckets();
 
     double buckets_ = 1.0;                   // M

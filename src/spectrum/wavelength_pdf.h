@@ -30,7 +30,8 @@ class UniformWavelengthPdf {
         return {kMinWavelength_nm + u * kRange_nm, 1.0 / kRange_nm};
     }
     [[nodiscard]] WavelengthSample sample(double u) const noexcept {
-        return {static_cast<float>(kMinWavelength_nm + u * kRange_nm), static_cast<float>(1.0 / kRange_nm)};
+        const ExactWavelengthSample rounded = exact(u);
+        return {static_cast<float>(rounded.lambda_nm), static_cast<float>(rounded.pdf)};
     }
     [[nodiscard]] double pdf(double lambda_nm) const noexcept {
         return lambda_nm >= kMinWavelength_nm && lambda_nm <= kMaxWavelength_nm ? 1.0 / kRange_nm : 0.0;

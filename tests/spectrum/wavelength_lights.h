@@ -29,7 +29,7 @@ inline LitReflector lit_by(const char* illuminant, const Spectrum& reflectance =
     return {illuminant, tabulated_spectrum("illuminants_5nm", illuminant), {}, reflectance};
 }
 
-/// Lines of mercury on the continuum of a lamp: half of the light, about.
+/// Lines of mercury on the continuum of a lamp: 29% of its X + Y + Z.
 inline LitReflector lit_by_lines(const Spectrum& reflectance = ConstantSpectrum{1.0}) {
     return {"lines", BlackbodySpectrum{3000.0}, {{435.833, 6.0}, {546.074, 12.0}, {578.013, 9.0}}, reflectance};
 }

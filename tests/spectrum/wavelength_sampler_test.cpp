@@ -16,17 +16,6 @@
 namespace emulsion {
 namespace {
 
-// Calls check<N>() for every count that the library is compiled for.
-template <class Check>
-void for_each_count(Check&& check) {
-    check.template operator()<1>();
-    check.template operator()<2>();
-    check.template operator()<4>();
-    check.template operator()<8>();
-    check.template operator()<16>();
-    check.template operator()<32>();
-}
-
 // Every strategy with its defaults.
 template <class Strategy>
 class WavelengthStrategies : public testing::Test {
@@ -57,7 +46,7 @@ TYPED_TEST(WavelengthStrategies, EstimateXyzWithoutBias) {
         const WavelengthSampler sampler = this->sampler_for(lit);
         const XYZd xyz = exact_xyz(lit);
         const std::array<double, 3> exact = {xyz.x, xyz.y, xyz.z};
-        for_each_count([&]<int N>() {
+        for_each_wavelength_count([&]<int N>() {
             Pcg32 random(N, 11);
             Moments moments;
             for (int i = 0; i < kEstimates; ++i) {
@@ -155,7 +144,7 @@ TYPED_TEST(WavelengthStrategies, SamplesFollowTheDensity) {
 // The same numbers give the same wavelengths: lambda within 1e-4 nm, density within 1e-6, at u = 0 and u -> 1 too.
 TYPED_TEST(WavelengthStrategies, FastPathFollowsItsTwin) {
     const WavelengthSampler sampler = this->sampler_for(lit_by_lines());
-    for_each_count([&]<int N>() {
+    for_each_wavelength_count([&]<int N>() {
         Pcg32 random(N, 14);
         for (int i = 0; i < 2000; ++i) {
             const std::uint64_t seed = random.next();
@@ -203,7 +192,7 @@ TEST(WavelengthStrategy, RefusesBadParametersAndLightWithoutPower) {
 TEST(HeroLines, SpreadsEachLineEvenly) {
     const LitReflector lit = lit_by_lines();
     const LineWavelengthPdf distribution(importance_of(lit));
-    for_each_count([&]<int N>() {
+    for_each_wavelength_count([&]<int N>() {
         for (int k = 0; k < 500; ++k) {
             const auto wavelengths = hero_wavelengths<N>(distribution, static_cast<float>(k) / 500.0f);
             for (std::size_t line = 0; line < lit.lines.size(); ++line) {

@@ -15,17 +15,6 @@ namespace {
 constexpr float kLargestFloat = 1.0f - 0x1p-24f;
 constexpr std::array kNumbers = {0.0f, 0x1p-24f, 0.1f, 0.25f, 0.49999f, 0.5f, 0.77f, kLargestFloat};
 
-// Calls check<N>() for every count that the library is compiled for.
-template <class Check>
-void for_each_count(Check&& check) {
-    check.template operator()<1>();
-    check.template operator()<2>();
-    check.template operator()<4>();
-    check.template operator()<8>();
-    check.template operator()<16>();
-    check.template operator()<32>();
-}
-
 template <std::size_t N>
 void expect_one_in_each_stratum(std::array<double, N> numbers, float u) {
     std::sort(numbers.begin(), numbers.end());
@@ -36,7 +25,7 @@ void expect_one_in_each_stratum(std::array<double, N> numbers, float u) {
 }
 
 TEST(Arrangements, IndependentTakesTheNumbersAsTheyCome) {
-    for_each_count([]<int N>() {
+    for_each_wavelength_count([]<int N>() {
         Pcg32 source(3), same(3);
         const auto numbers = IndependentArrangement::numbers<N>([&] { return source.next_float(); });
         for (const double number : numbers) EXPECT_EQ(number, static_cast<double>(same.next_float()));
@@ -45,7 +34,7 @@ TEST(Arrangements, IndependentTakesTheNumbersAsTheyCome) {
 }
 
 TEST(Arrangements, StratifiedPutsOneInEachStratum) {
-    for_each_count([]<int N>() {
+    for_each_wavelength_count([]<int N>() {
         for (const float u : kNumbers) {
             expect_one_in_each_stratum(StratifiedArrangement::numbers<N>([u] { return u; }), u);
         }
@@ -59,7 +48,7 @@ TEST(Arrangements, StratifiedPutsOneInEachStratum) {
 
 // Exactly: u on the grid of 2^-24, and i/N, are sums of powers of two.
 TEST(Arrangements, HeroRotatesByOneNth) {
-    for_each_count([]<int N>() {
+    for_each_wavelength_count([]<int N>() {
         for (const float u : kNumbers) {
             const auto numbers = HeroArrangement::numbers<N>(u);
             EXPECT_EQ(numbers[0], static_cast<double>(u)) << "the first is u itself";
@@ -77,7 +66,7 @@ TEST(Arrangements, HeroRotatesByOneNth) {
 
 TEST(HeroWavelengths, AreTheDensitysAtTheRotatedNumbers) {
     const VisibleWavelengthPdf distribution;
-    for_each_count([&]<int N>() {
+    for_each_wavelength_count([&]<int N>() {
         for (const float u : kNumbers) {
             const SampledWavelengths<N> wavelengths = hero_wavelengths<N>(distribution, u);
             const auto numbers = HeroArrangement::numbers<N>(u);
