@@ -9,13 +9,14 @@
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 
+#include "cli/color_command.h"
 #include "cli/develop_command.h"
 #include "cli/messages.h"
 #include "cli/render_command.h"
 
 namespace {
 
-using emulsion::cli::DevelopCommand, emulsion::cli::RenderCommand;
+using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::RenderCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
 
@@ -58,6 +59,7 @@ int run(int argc, char** argv) {
     program.get_formatter()->column_width(30);
     const RenderCommand render(program);
     const DevelopCommand develop(program);
+    const ColorCommand color(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
@@ -65,10 +67,12 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         // CLI11 would only miss a subcommand, and not say what it found in its place.
         const std::string first = argc > 1 ? argv[1] : "-";
-        const bool unknown = first.front() != '-' && first != "render" && first != "develop";
-        print_error(unknown ? "found the subcommand \"" + first + "\", expected render or develop" : error.what());
+        const bool unknown = first.front() != '-' && first != "render" && first != "develop" && first != "color";
+        print_error(unknown ? "found the subcommand \"" + first + "\", expected render, develop or color"
+                            : error.what());
         return kBadUsage;
     }
+    if (color.chosen()) return color.run();
     return render.chosen() ? render.run(command_line_text(argc, argv)) : develop.run();
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/messages.h"
 #include "core/error.h"
 #include "core/text_file.h"
 
@@ -71,17 +72,22 @@ NumberRows parse_number_rows(std::string_view text, std::string_view source,
 
         const bool may_be_names = std::exchange(is_first, false);
         if (may_be_names && line.find(',') != std::string_view::npos) rows.separator = ',';
-        if (may_be_names && cells.size() == columns.size() && std::none_of(cells.begin(), cells.end(), number_of)) {
+        const bool may_fit = columns.empty() || cells.size() == columns.size();
+        if (may_be_names && may_fit && std::none_of(cells.begin(), cells.end(), number_of)) {
             continue;
         }
         ++row_number;
-        if (cells.size() != columns.size()) {
-            fail(fmt::format("found {} cell{}, expected {}: {}", cells.size(), cells.size() == 1 ? "" : "s",
-                             columns.size(), fmt::join(columns, " ")));
+        if (rows.columns == 0) rows.columns = cells.size();
+        if (cells.size() != rows.columns) {
+            fail(fmt::format("found {} cell{}, expected {}{}{}", cells.size(), cells.size() == 1 ? "" : "s",
+                             rows.columns, columns.empty() ? " as in the first row" : ": ", fmt::join(columns, " ")));
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::optional<double> value = number_of(cells[i]);
-            if (!value) fail(fmt::format("found \"{}\" for {}, expected a finite number", cells[i], columns[i]));
+            if (!value) {
+                const std::string what = columns.empty() ? fmt::format("cell {}", i + 1) : std::string(columns[i]);
+                fail(fmt::format("found \"{}\" for {}, expected a finite number", cells[i], what));
+            }
             rows.values.push_back(*value);
         }
     }
@@ -101,6 +107,10 @@ std::string number_row_text(std::span<const double> row, char separator) {
         text += fmt::format("{:.17g}", value);
     }
     return text + '\n';
+}
+
+void print_rows(const NumberRows& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) print_output(number_row_text(rows.row(i), rows.separator));
 }
 
 }  // namespace emulsion::cli

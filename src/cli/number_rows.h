@@ -14,17 +14,18 @@
 namespace emulsion::cli {
 
 struct NumberRows {
-    std::size_t columns = 0;     ///< > 0
+    std::size_t columns = 0;     ///< 0 only if there are no rows
     std::vector<double> values;  ///< row by row; all finite
     char separator = ' ';        ///< ',' if the first row has commas: rows are written as they were read
 
-    [[nodiscard]] std::size_t size() const noexcept { return values.size() / columns; }
+    [[nodiscard]] std::size_t size() const noexcept { return columns == 0 ? 0 : values.size() / columns; }
     [[nodiscard]] std::span<const double> row(std::size_t i) const noexcept {
         return std::span(values).subspan(i * columns, columns);
     }
 };
 
-/// `columns` are the names of the numbers that a row must have, for messages; `source` says where the text is from.
+/// `columns` are the names of the numbers that a row must have, for messages; none: any number, the same in all rows.
+/// `source` says where the text is from.
 /// \throws IoError naming source, row (and line), the cell found and what was expected.
 [[nodiscard]] NumberRows parse_number_rows(std::string_view text, std::string_view source,
                                            std::span<const std::string_view> columns);
@@ -36,5 +37,8 @@ struct NumberRows {
 
 /// "0.20000000000000001 1 2.5\n": 17 digits, which every double survives.
 [[nodiscard]] std::string number_row_text(std::span<const double> row, char separator);
+
+/// All rows, to standard output.
+void print_rows(const NumberRows& rows);
 
 }  // namespace emulsion::cli

@@ -33,7 +33,7 @@ NamedText split_named_text(std::string_view text, std::string_view kind) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const auto assignment = split_assignment(text.substr(begin, end - begin), what);
         for (const auto& earlier : parts.assignments) {
-            if (earlier.first != assignment.first) continue;
+            if (name_key(earlier.first) != name_key(assignment.first)) continue;
             throw std::invalid_argument(parameter_label(kind, parts.name, assignment.first) + ": given twice");
         }
         parts.assignments.push_back(assignment);

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/name_key.h"
 #include "core/parameters.h"
 #include "core/visit.h"
 
@@ -146,7 +147,7 @@ template <NamedValue T>
         bool found = false;
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             known.push_back(parameter.name);
-            if (parameter.name != assignment.first) continue;
+            if (name_key(parameter.name) != name_key(assignment.first)) continue;
             found = true;
             const std::string what = parameter_label(kind, T::kName, assignment.first);
             std::visit([&](auto member) { parse_number(assignment.second, what, value.*member); }, parameter.member);
@@ -158,16 +159,16 @@ template <NamedValue T>
     return value;
 }
 
-/// Reads a text form. `kind` is the role of the value, used in messages: "tonemap".
-/// \throws std::invalid_argument for an unknown name or parameter (listing the right ones, nearest first), a malformed
-/// number, a value out of its range (naming the range), or a parameter given twice.
+/// Reads a text form; names are spelt as core/name_key.h allows. `kind` is the role of the value, used in messages:
+/// "tonemap". \throws std::invalid_argument for an unknown name or parameter (listing the right ones, nearest first), a
+/// malformed number, a value out of its range (naming the range), or a parameter given twice.
 template <NamedVariant Variant>
 [[nodiscard]] Variant parse_named(std::string_view text, std::string_view kind) {
     const NamedText parts = split_named_text(text, kind);
     Variant result;
     bool found = false;
     for_each_alternative<Variant>([&]<class T>(const T&) {
-        if (T::kName != parts.name) return;
+        if (name_key(T::kName) != name_key(parts.name)) return;
         result = parse_parameters<T>(parts, kind);
         found = true;
     });

@@ -10,11 +10,11 @@
 
 #include <fmt/core.h>
 
+#include "core/name_key.h"
 #include "core/nearest_name.h"
 #include "core/units.h"
 #include "spectrum/catalogue_names.h"
 #include "spectrum/data_table.h"
-#include "spectrum/name_key.h"
 #include "spectrum/sellmeier.h"
 
 namespace emulsion {

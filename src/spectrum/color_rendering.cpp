@@ -92,7 +92,8 @@ ColorRendering color_rendering(const Spectrum& light, const ColorRenderingMethod
         const Cie1964Uvw a =
             uvw_of(adapted(uv_1960_of(under_light), light_uv, reference_uv), under_light.y, reference_uv);
         const Cie1964Uvw b = uvw_of(uv_1960_of(under_reference), under_reference.y, reference_uv);
-        result.special_index[i] = 100.0 - 4.6 * std::hypot(a.u - b.u, a.v - b.v, a.w - b.w);
+        result.special_index[i] =
+            100.0 - 4.6 * std::sqrt((a.u - b.u) * (a.u - b.u) + (a.v - b.v) * (a.v - b.v) + (a.w - b.w) * (a.w - b.w));
         if (i < 8) result.general_index += result.special_index[i] / 8.0;
     }
     return result;

@@ -1,6 +1,5 @@
 #include "spectrum/color_system.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -8,18 +7,8 @@
 #include <fmt/core.h>
 
 #include "core/visit.h"
-#include "spectrum/name_key.h"
 
 namespace emulsion {
-
-ColorSystem parse_color_system(std::string_view text) {
-    // Names and parameters alike in small letters, but the numbers keep their points.
-    const std::size_t colon = std::min(text.find(':'), text.size());
-    std::string spelt = name_key(text.substr(0, colon)) + std::string(text.substr(colon));
-    std::transform(spelt.begin(), spelt.end(), spelt.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return parse_named<ColorSystem>(spelt, "colour system");
-}
 
 std::span<const ColorComponent> components_of(const ColorSystem& system) noexcept {
     return visit_noexcept(

@@ -45,11 +45,6 @@ using ColorSystem = std::variant<XyzSystem, XyySystem, LabSystem, LchAbSystem, L
                                  YuvSystem, YiqSystem, YcbcrBt601System, YcbcrBt601NarrowSystem, YcbcrBt709System,
                                  YcbcrBt709NarrowSystem, YcbcrBt2020System, YcbcrBt2020NarrowSystem>;
 
-/// A system by its name, with its parameters if it has any: "lab", "ictcp:white=100"; the name
-/// spelt as spectrum/name_key.h allows, the rest in any case.
-/// \throws std::invalid_argument as parse_named does.
-[[nodiscard]] ColorSystem parse_color_system(std::string_view text);
-
 /// Three components, or four.
 [[nodiscard]] std::span<const ColorComponent> components_of(const ColorSystem& system) noexcept;
 

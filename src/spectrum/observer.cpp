@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 
+#include "core/name_key.h"
 #include "core/named_value.h"
 #include "spectrum/data_table.h"
-#include "spectrum/name_key.h"
 #include "spectrum/one_nm_table.h"
 
 namespace emulsion {

@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "core/name_key.h"
 #include "spectrum/data_table.h"
-#include "spectrum/name_key.h"
 
 namespace emulsion {
 

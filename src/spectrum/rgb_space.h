@@ -18,7 +18,7 @@ struct RgbSpace {
     bool operator==(const RgbSpace&) const = default;
 };
 
-/// A space of data/rgb_colourspaces.csv: "sRGB", "Rec709", "Rec2020", "Display_P3", ...; spelt as spectrum/name_key.h
+/// A space of data/rgb_colourspaces.csv: "sRGB", "Rec709", "Rec2020", "Display_P3", ...; spelt as core/name_key.h
 /// allows, so that "display-p3" will do.
 /// \throws std::invalid_argument for an unknown name, listing those that exist.
 [[nodiscard]] const RgbSpace& rgb_space(std::string_view name);

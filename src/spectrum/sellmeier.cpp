@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "core/name_key.h"
 #include "core/named_value.h"
 #include "spectrum/data_table.h"
-#include "spectrum/name_key.h"
 
 namespace emulsion {
 

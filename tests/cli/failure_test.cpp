@@ -1,6 +1,7 @@
 // What goes wrong is said in one line, with the right exit code, and leaves no partial file behind.
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 
 #include <gmock/gmock.h>

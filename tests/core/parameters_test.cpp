@@ -135,10 +135,15 @@ TEST(NamedValue, EveryDoubleSurvivesItsText) {
     EXPECT_THROW((void)parse_named<Alone>("precise:value=inf", "number"), std::invalid_argument);
 }
 
+TEST(NamedValue, CaseMakesNoDifference) {
+    EXPECT_EQ(message_of("Blur:RADIUS=2,Passes=3"), message_of("blur:radius=2,passes=3"));
+    EXPECT_EQ(message_of("BLUR").substr(0, 14), "no error: blur");
+    EXPECT_EQ(message_of("blur:radius=1,Radius=2"), "effect blur: Radius: given twice");
+}
+
 TEST(NamedValue, UnknownNameListsTheNearestFirst) {
     EXPECT_EQ(message_of("blurr"), "effect \"blurr\": unknown; expected blur or plain");
     EXPECT_EQ(message_of("plane"), "effect \"plane\": unknown; expected plain or blur");
-    EXPECT_EQ(message_of("Blur"), "effect \"Blur\": unknown; expected blur or plain");
     EXPECT_EQ(message_of(""), "effect \"\": unknown; expected blur or plain");
 }
 

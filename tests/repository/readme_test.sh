@@ -33,7 +33,9 @@ while read -r line; do
         scripts/*) expect "README.md: there is no $name" test -x "$name" ;;
         emulsion | build/release/bin/emulsion)
             subcommand=${rest%% *}
-            help=$("$program" "$subcommand" --help) || { echo "error: emulsion $subcommand --help failed" >&2; exit 1; }
+            [[ $subcommand != color ]] || { rest=${rest#* }; subcommand="color ${rest%% *}"; }
+            # shellcheck disable=SC2086  # one word or two
+            help=$("$program" $subcommand --help) || { echo "error: emulsion $subcommand --help failed" >&2; exit 1; }
             for flag in $(grep -oE '(^| )--?[a-z][a-z-]*' <<<"$rest"); do
                 expect "README.md: emulsion $subcommand has no $flag" grep -qE -- "(^|[ ,])$flag($|[ ,=])" <<<"$help"
             done
@@ -44,6 +46,9 @@ done <<<"$commands"
 
 # --- Flags named in tables: | `--flag ...` | in the section of the subcommand, or both
 help=$("$program" --help && "$program" render --help && "$program" develop --help)
+for task in $("$program" color --help | sed -n '/^Subcommands:/,$p' | sed -nE 's/^  ([a-z]+) .*/\1/p'); do
+    help+=$("$program" color "$task" --help)
+done
 for flag in $(grep -oE '`--?[a-z][a-z-]*' README.md | tr -d '`' | sort -u); do
     case $flag in --preset) continue ;; esac # of scripts/test
     expect "README.md: emulsion has no $flag" grep -qE -- "(^|[ ,])$flag($|[ ,=])" <<<"$help"

@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/name_key.h"
 #include "core/units.h"
 #include "spectrum/data_table.h"
 #include "spectrum/embedded_tables.h"
-#include "spectrum/name_key.h"
 #include "spectrum/named_spectra.h"
 #include "spectrum/sellmeier.h"
 
@@ -26,14 +26,6 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 double value(std::string_view name, double lambda_nm) { return eval(catalogue_spectrum(name), lambda_nm); }
-
-TEST(NameKey, LeavesOutCaseAndSeparators) {
-    EXPECT_EQ(name_key("FL3.10"), "fl3-10");
-    EXPECT_EQ(name_key("fl3_10"), name_key("FL3-10"));
-    EXPECT_EQ(name_key("ColorChecker dark skin"), "colorchecker-dark-skin");
-    EXPECT_EQ(name_key(""), "");
-    EXPECT_NE(name_key("FL31"), name_key("FL3.1"));
-}
 
 TEST(Catalogue, HoldsEveryColumnOfEveryTable) {
     std::set<std::pair<std::string_view, std::string>> held;

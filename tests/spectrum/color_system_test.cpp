@@ -131,14 +131,14 @@ TEST_P(EveryColorSystem, HasAsManyValuesAsComponents) {
 
 TEST_P(EveryColorSystem, IsFoundByItsNameInAnyCase) {
     const std::string text = to_text(GetParam());
-    EXPECT_EQ(parse_color_system(text), GetParam());
+    EXPECT_EQ(parse_named<ColorSystem>(text, "colour system"), GetParam());
     std::string upper = text;
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    EXPECT_EQ(parse_color_system(upper), GetParam());
+    EXPECT_EQ(parse_named<ColorSystem>(upper, "colour system"), GetParam());
     std::string joined = text;
     std::replace(joined.begin(), joined.end(), '-', '_');
-    EXPECT_EQ(parse_color_system(joined), GetParam());
+    EXPECT_EQ(parse_named<ColorSystem>(joined, "colour system"), GetParam());
 }
 
 TEST_P(EveryColorSystem, SaysWhatItIs) {
@@ -153,19 +153,19 @@ TEST_P(EveryColorSystem, SaysWhatItIs) {
 
 TEST(ColorSystem, IctcpHasTheLuminanceOfItsWhiteAsAParameter) {
     const ColorContext context;
-    EXPECT_EQ(parse_color_system("ICtCp:White=0.5"), ColorSystem(IctcpSystem{0.5}));
-    const ColorSystem dim = parse_color_system("ictcp:white=100");
+    EXPECT_EQ(parse_named<ColorSystem>("ICtCp:White=0.5", "colour system"), ColorSystem(IctcpSystem{0.5}));
+    const ColorSystem dim = parse_named<ColorSystem>("ictcp:white=100", "colour system");
     EXPECT_EQ(dim, ColorSystem(IctcpSystem{100.0}));
     // PQ of 100 cd/m^2 is 0.5081 (ITU-R BT.2100), and of 203 cd/m^2 0.5807 (ITU-R BT.2408).
     EXPECT_NEAR(from_xyz(dim, context.white(), context).value[0], 0.5081, 5e-5);
     EXPECT_NEAR(from_xyz(IctcpSystem{}, context.white(), context).value[0], 0.5807, 5e-5);
-    EXPECT_THAT([] { (void)parse_color_system("ictcp:white=0"); },
+    EXPECT_THAT([] { (void)parse_named<ColorSystem>("ictcp:white=0", "colour system"); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("ictcp: white")));
 }
 
 TEST(ColorSystem, UnknownNamesListTheNearest) {
-    EXPECT_THAT([] { (void)parse_color_system("Labb"); },
-                ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("colour system \"labb\""), HasSubstr("lab"))));
+    EXPECT_THAT([] { (void)parse_named<ColorSystem>("Labb", "colour system"); },
+                ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("colour system \"Labb\""), HasSubstr("lab"))));
 }
 
 // The two transfer-dependent links are the same for all systems of encoded RGB, so one system stands for all.

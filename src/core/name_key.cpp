@@ -1,4 +1,4 @@
-#include "spectrum/name_key.h"
+#include "core/name_key.h"
 
 #include <algorithm>
 

@@ -1,0 +1,36 @@
+#pragma once
+// Flags whose values are named values (core/named_value.h): NAME[:parameter=value,...].
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "core/named_value.h"
+
+namespace emulsion::cli {
+
+/// "WHAT, NAME[:parameter=value,...] [default: ...]; one of" and, below, the names with their parameters.
+[[nodiscard]] std::string named_option_help(std::string_view what, std::string_view default_text,
+                                            std::span<const NamedValueDescription> choices);
+
+/// Adds a flag ("--tonemap") that sets `value`, whose present value is the default; what is no such value is bad usage.
+/// `kind` is the role in messages: "tonemap". `value` must outlive the parsing.
+template <NamedVariant Variant>
+CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::string_view kind, Variant& value,
+                              std::string_view what) {
+    const auto parse = [&value, flag, kind = std::string(kind)](const std::string& text) {
+        try {
+            value = parse_named<Variant>(text, kind);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(flag, error.what());
+        }
+    };
+    return command
+        .add_option_function<std::string>(flag, parse,
+                                          named_option_help(what, to_text(value), describe_named<Variant>()))
+        ->option_text("NAME");
+}
+
+}  // namespace emulsion::cli
