@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include "spectrum/data_table.h"
-#include "spectrum/daylight.h"
-#include "spectrum/sigmoid.h"
+#include "spectrum/colorimetry.h"
 
 namespace emulsion {
 
 namespace {
+
+constexpr std::string_view kReflectanceRange = "a number in [0, 1]";
+constexpr std::string_view kUnboundedRange = "a number >= 0, twice of which is finite";
+constexpr double kLargestUnbounded = 0.5 * std::numeric_limits<double>::max();
 
 void require_components(const RGBd& rgb, double largest, std::string_view expected) {
     const auto require = [&](char name, double value) {
@@ -28,54 +30,62 @@ void require_components(const RGBd& rgb, double largest, std::string_view expect
     require('b', rgb.b);
 }
 
+// An unbounded colour as pbrt-v4 takes it: scale times a reflectance of at most 1/2.
+struct ScaledRgb {
+    RGBd rgb;
+    double scale = 0.0;
+};
+
+ScaledRgb scaled_rgb(const RGBd& rgb) {
+    require_components(rgb, kLargestUnbounded, kUnboundedRange);
+    const double scale = 2.0 * std::max({rgb.r, rgb.g, rgb.b});
+    if (scale == 0.0) return {{}, 0.0};
+    return {{rgb.r / scale, rgb.g / scale, rgb.b / scale}, scale};
+}
+
 }  // namespace
 
-PiecewiseLinearSpectrum illuminant_of(const RgbSpace& space) {
-    constexpr Chromaticity kD65 = {0.3127, 0.3290};
-    constexpr double kTolerance = 5e-4;
-    if (std::abs(space.white.x - kD65.x) <= kTolerance && std::abs(space.white.y - kD65.y) <= kTolerance) {
-        return tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65");
+RgbUplift::RgbUplift(const RgbSpace& space, const UpliftMethod& method)
+    : space_(reflectance_rgb(space)),
+      method_(std::visit(
+          [this](const auto& chosen) -> PreparedUplifts<UpliftMethod>::Type { return prepare(chosen, space_); },
+          method)) {}
+
+Spectrum RgbUplift::reflectance(const RGBd& rgb) const {
+    require_components(rgb, 1.0, kReflectanceRange);
+    return std::visit([&](const auto& method) { return Spectrum(method.reflectance(rgb)); }, method_);
+}
+
+Spectrum RgbUplift::unbounded(const RGBd& rgb) const {
+    const ScaledRgb bounded = scaled_rgb(rgb);
+    if (bounded.scale == 0.0) return ConstantSpectrum{0.0};
+    return scaled(reflectance(bounded.rgb), bounded.scale);
+}
+
+Spectrum RgbUplift::light(const RGBd& rgb) const {
+    const ScaledRgb bounded = scaled_rgb(rgb);
+    Spectrum spectrum = reflectance(bounded.rgb);
+    if (const auto* sigmoid = std::get_if<SigmoidSpectrum>(&spectrum)) {
+        // Black: with a scale of 0, any finite sigmoid will do.
+        return RgbIlluminantSpectrum{bounded.scale == 0.0 ? SigmoidSpectrum{} : *sigmoid, space_.illuminant,
+                                     bounded.scale};
     }
-    return daylight(space.white);
+    return product_of(std::move(spectrum), space_.illuminant, bounded.scale);
 }
 
-RgbUplift::RgbUplift(const RgbSpace& space)
-    : illuminant_(illuminant_of(space)),
-      weights_(reflectance_weights(illuminant_)),
-      relative_xyz_from_rgb_(xyz_from_rgb(space)) {
-    // Divided by the white, which takes in the small difference between its tabulated chromaticity and its spectrum.
-    for (auto& row : relative_xyz_from_rgb_.m) {
-        const double white = row[0] + row[1] + row[2];
-        for (double& element : row) element /= white;
-    }
-    rgb_from_relative_xyz_ = inverse(relative_xyz_from_rgb_);
-}
-
-SigmoidSpectrum RgbUplift::reflectance(const RGBd& rgb) const {
-    require_components(rgb, 1.0, "a number in [0, 1]");
-    if (rgb.r == rgb.g && rgb.g == rgb.b) return {{0.0, 0.0, inverse_sigmoid(rgb.r)}};
-    const std::array<double, 3> xyz = relative_xyz_from_rgb_ * std::array<double, 3>{rgb.r, rgb.g, rgb.b};
-    return solve_sigmoid(weights_, {xyz[0], xyz[1], xyz[2]});
-}
-
-RgbIlluminantSpectrum RgbUplift::light(const RGBd& rgb) const {
-    require_components(rgb, std::numeric_limits<double>::max(), "a finite number >= 0");
-    const double largest = std::max({rgb.r, rgb.g, rgb.b});
-    if (largest == 0.0) return {SigmoidSpectrum{}, illuminant_, 0.0};
-    const double scale = 2.0 * largest;
-    return {reflectance((1.0 / scale) * rgb), illuminant_, scale};
-}
+double RgbUplift::light_normalisation() const { return photometric_integral(space_.illuminant); }
 
 RGBd RgbUplift::rgb_of(const Spectrum& reflectance) const noexcept {
-    const XYZd xyz = relative_xyz(weights_, reflectance);
-    const std::array<double, 3> rgb = rgb_from_relative_xyz_ * std::array<double, 3>{xyz.x, xyz.y, xyz.z};
+    const std::array<double, 3> rgb = weighted_sums(space_.rgb_weights, reflectance);
     return {rgb[0], rgb[1], rgb[2]};
 }
 
 SigmoidSpectrum fit_sigmoid(const RGBd& reflectance, const RgbSpace& space) {
-    return RgbUplift(space).reflectance(reflectance);
+    return std::get<SigmoidSpectrum>(RgbUplift(space).reflectance(reflectance));
 }
 
-RgbIlluminantSpectrum rgb_illuminant(const RGBd& light, const RgbSpace& space) { return RgbUplift(space).light(light); }
+RgbIlluminantSpectrum rgb_illuminant(const RGBd& light, const RgbSpace& space) {
+    return std::get<RgbIlluminantSpectrum>(RgbUplift(space).light(light));
+}
 
 }  // namespace emulsion
