@@ -29,7 +29,6 @@ function(emulsion_sigmoid_tables target)
     ${folder}/generate/solve_sigmoid_tables.cpp
     ${folder}/sigmoid_table_solver.cpp
     ${folder}/sigmoid_solver.cpp
-    ${folder}/cielab.cpp
     ${PROJECT_SOURCE_DIR}/src/core/matrix3.cpp)
   target_include_directories(emulsion_solve_sigmoid_tables PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(emulsion_solve_sigmoid_tables PRIVATE emulsion_settings_unsanitized)

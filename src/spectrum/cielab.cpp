@@ -4,37 +4,29 @@
 
 #include "spectrum/color_context.h"
 #include "spectrum/hue.h"
+#include "spectrum/lab_function.h"
 
 namespace emulsion {
 
 namespace {
 
-constexpr double kKnee = 6.0 / 29.0;                       // of f; that of its argument is the cube
-constexpr double kToeSlope = 1.0 / (3.0 * kKnee * kKnee);  // of the cube root at the knee
-constexpr double kToeOffset = 4.0 / 29.0;
-
-double lab_f(double ratio) noexcept {
-    if (ratio > kKnee * kKnee * kKnee) return std::cbrt(ratio);
-    return kToeSlope * ratio + kToeOffset;
-}
-
 double lab_f_inverse(double f) noexcept {
-    if (f > kKnee) return f * f * f;
-    return (f - kToeOffset) / kToeSlope;
+    if (f > kLabKnee) return f * f * f;
+    return (f - kLabToeOffset) / kLabToeSlope;
 }
 
 }  // namespace
 
 double cie_lightness(double relative_luminance) noexcept {
     // Below the knee without the 16 that would cancel: exactly 0 for black.
-    if (relative_luminance > kKnee * kKnee * kKnee) return 116.0 * std::cbrt(relative_luminance) - 16.0;
-    return 116.0 * kToeSlope * relative_luminance;
+    if (relative_luminance > kLabKnee * kLabKnee * kLabKnee) return 116.0 * std::cbrt(relative_luminance) - 16.0;
+    return 116.0 * kLabToeSlope * relative_luminance;
 }
 
 double relative_luminance_of(double lightness) noexcept {
     const double f = (lightness + 16.0) / 116.0;
-    if (f > kKnee) return f * f * f;
-    return lightness / (116.0 * kToeSlope);
+    if (f > kLabKnee) return f * f * f;
+    return lightness / (116.0 * kLabToeSlope);
 }
 
 Lab lab_from_xyz(const XYZd& xyz, const XYZd& white) noexcept {

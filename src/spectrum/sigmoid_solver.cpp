@@ -7,7 +7,7 @@
 
 #include "core/matrix3.h"
 #include "core/units.h"
-#include "spectrum/cielab.h"
+#include "spectrum/lab_function.h"
 #include "spectrum/sigmoid.h"
 
 namespace emulsion {
@@ -31,14 +31,13 @@ struct Linearisation {
     double squared_difference = 0.0, cost = 0.0;
 };
 
-// Derivative of CIELAB's f: of the cube root, or of its linear toe.
-double lab_f_derivative(double ratio) noexcept {
-    constexpr double kKnee = 6.0 / 29.0;
-    if (ratio > kKnee * kKnee * kKnee) return 1.0 / (3.0 * std::cbrt(ratio) * std::cbrt(ratio));
-    return 1.0 / (3.0 * kKnee * kKnee);
+// White-relative XYZ to CIELAB, without the constant that every L* has.
+Vector3 lab_of(const Vector3& xyz) noexcept {
+    const double fx = lab_f(xyz[0]), fy = lab_f(xyz[1]), fz = lab_f(xyz[2]);
+    return {116.0 * fy, 500.0 * (fx - fy), 200.0 * (fy - fz)};
 }
 
-Linearisation linearise(const ReflectanceWeights& weights, const Vector3& k, const Lab& target,
+Linearisation linearise(const ReflectanceWeights& weights, const Vector3& k, const Vector3& target,
                         double penalty) noexcept {
     // Sums of reflectance, and of its derivatives by the three coefficients.
     Vector3 xyz{};
@@ -58,12 +57,12 @@ Linearisation linearise(const ReflectanceWeights& weights, const Vector3& k, con
     }
 
     // From there to CIELAB by the chain rule.
-    const Lab lab = lab_from_xyz({xyz[0], xyz[1], xyz[2]}, {1.0, 1.0, 1.0});
+    const Vector3 lab = lab_of(xyz);
     const double fx = lab_f_derivative(xyz[0]), fy = lab_f_derivative(xyz[1]), fz = lab_f_derivative(xyz[2]);
     const Matrix3 lab_by_xyz{
         {{{0.0, 116.0 * fy, 0.0}, {500.0 * fx, -500.0 * fy, 0.0}, {0.0, 200.0 * fy, -200.0 * fz}}}};
     const Matrix3 jacobian = lab_by_xyz * xyz_by_k;
-    const Vector3 residual = {lab.l - target.l, lab.a - target.a, lab.b - target.b};
+    const Vector3 residual = {lab[0] - target[0], lab[1] - target[1], lab[2] - target[2]};
 
     Linearisation result;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -110,7 +109,8 @@ bool within_bound(const Vector3& k) noexcept {
 }
 
 // Improves the centred coefficients k until an end of the search is reached or nothing helps; its start is not used.
-void improve(const ReflectanceWeights& weights, const Lab& target, const SigmoidSearch& search, Vector3& k) noexcept {
+void improve(const ReflectanceWeights& weights, const Vector3& target, const SigmoidSearch& search,
+             Vector3& k) noexcept {
     const double accepted = search.accepted_difference * search.accepted_difference;
     double damping = 1e-3;
     Linearisation at = linearise(weights, k, target, search.penalty);
@@ -139,19 +139,18 @@ void improve(const ReflectanceWeights& weights, const Lab& target, const Sigmoid
 SigmoidSpectrum solve_sigmoid(const ReflectanceWeights& weights, const XYZd& target) noexcept {
     // From the constant of the same luminance, which has coefficients of the right size also for dark colours, by way
     // of the colour of half the saturation: that one is easy, and from there it isn't far.
-    const XYZd white = {1.0, 1.0, 1.0};
     const double grey = std::clamp(target.y, kDarkestStart, 1.0 - kDarkestStart);
-    const XYZd half_way = 0.5 * (grey * white + target);
+    const Vector3 half_way = {0.5 * (grey + target.x), 0.5 * (grey + target.y), 0.5 * (grey + target.z)};
     Vector3 k = {0.0, 0.0, inverse_sigmoid(grey)};
-    improve(weights, lab_from_xyz(half_way, white), {.start = {}, .accepted_difference = 0.1, .evaluations = 20}, k);
-    improve(weights, lab_from_xyz(target, white), {}, k);
+    improve(weights, lab_of(half_way), {.start = {}, .accepted_difference = 0.1, .evaluations = 20}, k);
+    improve(weights, lab_of({target.x, target.y, target.z}), {}, k);
     return {sigmoid_from_centred(k)};
 }
 
 SigmoidSpectrum improved_sigmoid(const ReflectanceWeights& weights, const XYZd& target,
                                  const SigmoidSearch& search) noexcept {
     Vector3 k = centred_from_sigmoid(search.start.c);
-    improve(weights, lab_from_xyz(target, {1.0, 1.0, 1.0}), search, k);
+    improve(weights, lab_of({target.x, target.y, target.z}), search, k);
     return {sigmoid_from_centred(k)};
 }
 
