@@ -15,11 +15,13 @@ constexpr double kSecondRadiation_nmK = 1e9 * kSecondRadiation_mK;
 // h c / (lambda k T) where lambda^-5 / (exp(x) - 1) is largest: the root of x = 5 (1 - exp(-x)) (Wien).
 constexpr double kPeakExponent = 4.965114231744276;
 
+double fifth_power(double x) noexcept { return x * x * (x * x) * x; }
+
 }  // namespace
 
 double planck_radiance(double temperature_K, double lambda_nm) noexcept {
     const double lambda_m = 1e-9 * lambda_nm;
-    const double per_m = 2.0 * kPlanck * kSpeedOfLight * kSpeedOfLight / std::pow(lambda_m, 5.0) /
+    const double per_m = 2.0 * kPlanck * kSpeedOfLight * kSpeedOfLight / fifth_power(lambda_m) /
                          std::expm1(kSecondRadiation_nmK / (lambda_nm * temperature_K));
     return 1e-9 * per_m;
 }
@@ -29,7 +31,7 @@ double relative_planck_radiance(double temperature_K, double lambda_nm) noexcept
     // (lambda_peak / lambda)^5 written by the exponents; exp(x) may overflow to infinity, and the quotient to 0 is
     // right.
     if (exponent > 700.0) return 0.0;
-    return std::pow(exponent / kPeakExponent, 5.0) * std::expm1(kPeakExponent) / std::expm1(exponent);
+    return fifth_power(exponent / kPeakExponent) * std::expm1(kPeakExponent) / std::expm1(exponent);
 }
 
 void eval(const BlackbodySpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {

@@ -1,38 +1,40 @@
 #include "spectrum/photometry.h"
 
 #include <utility>
+#include <vector>
 
 #include "core/units.h"
-#include "spectrum/data_table.h"
 #include "spectrum/integral.h"
+#include "spectrum/luminous_efficiency.h"
 #include "spectrum/spectrum_checks.h"
 
 namespace emulsion {
 
 const LuminousEfficiency& photopic() {
-    static const LuminousEfficiency eye = photopic(cie_1931_2deg());
+    static const LuminousEfficiency eye = {photopic_efficiency(), kLuminousEfficacy};
     return eye;
 }
 
 LuminousEfficiency photopic(const Observer& observer) {
-    DenseSpectrum ybar{static_cast<double>(observer.first_nm), 1.0, {}, Extrapolation::zero};
-    for (const XYZd& value : observer.value) ybar.value.push_back(value.y);
+    PiecewiseLinearSpectrum ybar;
+    for (const XYZd& value : observer.value) {
+        ybar.lambda_nm.push_back(observer.first_nm + static_cast<double>(ybar.value.size()));
+        ybar.value.push_back(value.y);
+    }
     return {std::move(ybar), kLuminousEfficacy};
 }
 
 const LuminousEfficiency& scotopic() {
-    static const LuminousEfficiency eye = [] {
-        const DataTable& table = data_table("cie_1951_scotopic_1nm");
-        return LuminousEfficiency{{table.column("wavelength").front(), 1.0, table.column("V_prime")},
-                                  kScotopicLuminousEfficacy};
-    }();
+    static const LuminousEfficiency eye = {scotopic_efficiency(), kScotopicLuminousEfficacy};
     return eye;
 }
 
 double photometric_value(const Spectrum& spectrum, const LuminousEfficiency& eye) {
     require_positive("luminous efficiency: max_lm_per_W", eye.max_lm_per_W);
+    validate(eye.relative);
+    const std::vector<double>& knots = eye.relative.lambda_nm;
     const Spectrum v = eye.relative;
-    return eye.max_lm_per_W * integral_of_product({spectrum, v}, eye.relative.first_nm, eye.relative.last_nm());
+    return eye.max_lm_per_W * integral_of_product({spectrum, v}, knots.front(), knots.back());
 }
 
 double luminous_flux_lm(const Spectrum& radiant_flux, const LuminousEfficiency& eye) {

@@ -35,18 +35,17 @@ inline constexpr std::array<PhotometricQuantity, 5> kPhotometricQuantities = {{
 
 /// How well an eye sees each wavelength: K V(lambda).
 struct LuminousEfficiency {
-    DenseSpectrum relative;       ///< V, dimensionless, 1 at its maximum or nearly so; nothing counts outside its table
-    double max_lm_per_W = 683.0;  ///< K; finite, > 0
+    PiecewiseLinearSpectrum relative;  ///< V, dimensionless, 1 at its peak; nothing counts outside its wavelengths
+    double max_lm_per_W = 683.0;       ///< K; finite, > 0
 };
 
-/// By day: ybar of the CIE 1931 observer, which is V(lambda) of 1924 but for its last digits; 683 lm/W. 360-830 nm.
+/// By day: V(lambda) of photopic_efficiency(), which is ybar of the CIE 1931 observer to 1e-12; 683 lm/W.
 [[nodiscard]] const LuminousEfficiency& photopic();
 
 /// By day, for another observer: its ybar, and 683 lm/W.
 [[nodiscard]] LuminousEfficiency photopic(const Observer& observer);
 
-/// By night: V'(lambda) of the CIE 1951 scotopic observer, and 1700 lm/W (kScotopicLuminousEfficacy). 380-780 nm.
-/// Source: CIE S 010 / ISO 23539.
+/// By night: V'(lambda) of scotopic_efficiency(), and 1700 lm/W (kScotopicLuminousEfficacy).
 [[nodiscard]] const LuminousEfficiency& scotopic();
 
 /// K integral spectrum V: the photometric value of any of the pairs; lines without width count.

@@ -50,23 +50,21 @@ std::vector<const Spectrum*> pointers_to(const std::vector<Spectrum>& spectra) {
 }  // namespace
 
 void eval(const ProductSpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
-    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> block_values) {
-        WavelengthBlock factor_values{};
-        std::fill(block_values.begin(), block_values.end(), spectrum.scale);
+    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> product, std::span<double> part) {
+        std::fill(product.begin(), product.end(), spectrum.scale);
         for (const Spectrum& factor : spectrum.factor) {
-            eval(factor, block, std::span(factor_values).first(block.size()));
-            for (std::size_t i = 0; i < block.size(); ++i) block_values[i] *= factor_values[i];
+            eval(factor, block, part);
+            for (std::size_t i = 0; i < block.size(); ++i) product[i] *= part[i];
         }
     });
 }
 
 void eval(const SumSpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
-    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> block_values) {
-        WavelengthBlock term_values{};
-        std::fill(block_values.begin(), block_values.end(), 0.0);
+    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> sum, std::span<double> part) {
+        std::fill(sum.begin(), sum.end(), 0.0);
         for (std::size_t j = 0; j < spectrum.term.size(); ++j) {
-            eval(spectrum.term[j], block, std::span(term_values).first(block.size()));
-            for (std::size_t i = 0; i < block.size(); ++i) block_values[i] += spectrum.weight[j] * term_values[i];
+            eval(spectrum.term[j], block, part);
+            for (std::size_t i = 0; i < block.size(); ++i) sum[i] += spectrum.weight[j] * part[i];
         }
     });
 }

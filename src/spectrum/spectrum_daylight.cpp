@@ -1,5 +1,6 @@
 #include "spectrum/spectrum_daylight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -56,14 +57,15 @@ void eval(const DaylightSpectrum& spectrum, const OffsetWavelengths& at, std::sp
         m1 = std::round(1000.0 * m1) / 1000.0;
         m2 = std::round(1000.0 * m2) / 1000.0;
     }
-    const std::array weights = {m1, m2};
-    eval(components()[0], at, values);
-    for_each_block(at, values, [&weights](const OffsetWavelengths& block, std::span<double> block_values) {
-        WavelengthBlock s1{}, s2{};
-        eval(components()[1], block, s1);
-        eval(components()[2], block, s2);
-        for (std::size_t i = 0; i < block.size(); ++i) block_values[i] += weights[0] * s1[i] + weights[1] * s2[i];
-    });
+    const std::array weights = {1.0, m1, m2};
+    for_each_block(at, values,
+                   [&weights](const OffsetWavelengths& block, std::span<double> sum, std::span<double> part) {
+                       std::fill(sum.begin(), sum.end(), 0.0);
+                       for (std::size_t j = 0; j < weights.size(); ++j) {
+                           eval(components()[j], block, part);
+                           for (std::size_t i = 0; i < block.size(); ++i) sum[i] += weights[j] * part[i];
+                       }
+                   });
 }
 
 double limit(const DaylightSpectrum& spectrum, double lambda_nm, Side side) noexcept {

@@ -27,7 +27,7 @@ void eval(const LineSpectrum& spectrum, const OffsetWavelengths& at, std::span<d
         const double base_nm = at.base_nm - gaussian.mean_nm;
         for (std::size_t i = 0; i < at.size(); ++i) {
             const double t = (base_nm + at.offset_nm[i]) / sigma_nm;
-            values[i] += peak * std::exp(-0.5 * t * t);
+            if (std::abs(t) <= kGaussianReach) values[i] += peak * std::exp(-0.5 * t * t);
         }
     }
 }
@@ -35,7 +35,8 @@ void eval(const LineSpectrum& spectrum, const OffsetWavelengths& at, std::span<d
 std::vector<double> knots_nm(const LineSpectrum& spectrum) {
     std::vector<double> knots;
     for (const GaussianLine& gaussian : spectrum.gaussian) {
-        for (const double sigmas : {-9.0, -6.0, -4.5, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.5, 6.0, 9.0}) {
+        for (const double sigmas :
+             {-kGaussianReach, -8.0, -6.0, -4.5, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kGaussianReach}) {
             knots.push_back(gaussian.mean_nm + sigmas * gaussian.fwhm_nm / kFwhmPerSigma);
         }
     }

@@ -27,13 +27,10 @@ void eval(const SigmoidSpectrum& spectrum, const OffsetWavelengths& at, std::spa
 }
 
 void eval(const RgbIlluminantSpectrum& spectrum, const OffsetWavelengths& at, std::span<double> values) noexcept {
-    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> block_values) {
-        WavelengthBlock illuminant{};
-        eval(spectrum.sigmoid, block, block_values);
-        eval(spectrum.illuminant, block, illuminant);
-        for (std::size_t i = 0; i < block.size(); ++i) {
-            block_values[i] = spectrum.scale * block_values[i] * illuminant[i];
-        }
+    for_each_block(at, values, [&](const OffsetWavelengths& block, std::span<double> product, std::span<double> light) {
+        eval(spectrum.sigmoid, block, product);
+        eval(spectrum.illuminant, block, light);
+        for (std::size_t i = 0; i < block.size(); ++i) product[i] = spectrum.scale * product[i] * light[i];
     });
 }
 

@@ -81,7 +81,7 @@ CellMoments moments_of(const Line& line, double first_nm) {
     return moments;
 }
 
-/// The line for a cell that has knots or a line inside.
+/// The line for a cell in which the spectrum is none.
 CellLine fitted_line(const CellMoments& of) {
     const CellLine nearest = {of.mean - 6.0 * of.first, of.mean + 6.0 * of.first};
     // ybar is a straight line too, so that `nearest` keeps the luminance; so does this constant, and what lies between.
@@ -108,6 +108,7 @@ bool is_in_cell(double lambda_nm, int first_nm) noexcept {
 SpectrumTable::SpectrumTable(const Spectrum& spectrum, double scale) {
     validate(spectrum);
     const std::vector<double> knots = knots_nm(spectrum);
+    const bool is_straight = polynomial_degree(spectrum).value_or(2) <= 1;
     const std::vector<Line> delta = delta_lines(spectrum);
     lines_.reserve(kMaxWavelength_nm - kMinWavelength_nm);
     for (int lambda_nm = kMinWavelength_nm; lambda_nm < kMaxWavelength_nm; ++lambda_nm) {
@@ -115,7 +116,7 @@ SpectrumTable::SpectrumTable(const Spectrum& spectrum, double scale) {
         CellLine line = {limit(spectrum, lambda_nm, Side::above), limit(spectrum, lambda_nm + 1, Side::below)};
         const auto first = std::upper_bound(knots.begin(), knots.end(), lambda_nm);
         const auto last = std::lower_bound(first, knots.end(), lambda_nm + 1);
-        if (first != last) {
+        if (first != last || !is_straight) {
             std::vector<double> cuts = {static_cast<double>(lambda_nm)};
             cuts.insert(cuts.end(), first, last);
             cuts.push_back(lambda_nm + 1);

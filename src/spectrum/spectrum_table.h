@@ -3,12 +3,13 @@
 // spectra with knots at whole nanometres, jumps included (at the jump itself, the value on its long-wave side); the
 // double-precision twin is eval(Spectrum, lambda_nm).
 //
-// A nanometre with knots inside has the line nearest to the spectrum in the mean square: it has the spectrum's integral
-// and first moment, and so its integral against any straight line, such as the observer's between whole nanometres. If
-// that line leaves the range of the spectrum's values there (reflectances must stay in [0, 1], lights positive), it is
-// pulled towards a constant as far as needed; the luminance is kept all the same, the other two of XYZ nearly. So
-// however narrow a line of a light is, and wherever it lies, it is as bright as it should be. A line without width is
-// treated alike: it is spread over the nanometre that it lies in (at a whole nanometre, the one above), and added.
+// A nanometre in which the spectrum is no straight line has the one nearest to it in the mean square: it has the
+// spectrum's integral and first moment, and so its integral against any straight line, such as the observer's between
+// whole nanometres. If that line leaves the range of the spectrum's values there (reflectances must stay in [0, 1],
+// lights positive), it is pulled towards a constant as far as needed; the luminance is kept all the same, the other two
+// of XYZ nearly. So however narrow a line of a light is, and wherever it lies, it is as bright as it should be. A line
+// without width is treated alike: it is spread over the nanometre that it lies in (at a whole nanometre, the one
+// above), and added.
 
 #include <algorithm>
 #include <array>

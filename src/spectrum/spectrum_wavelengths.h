@@ -26,12 +26,20 @@ enum class Side { below, above };
 inline constexpr std::size_t kWavelengthBlock = 32;
 using WavelengthBlock = std::array<double, kWavelengthBlock>;
 
-/// Calls visitor(wavelengths, values) for consecutive blocks of both; as many values as wavelengths.
+/// Calls visitor(wavelengths, values, scratch) for consecutive blocks of wavelengths and values, with scratch room for
+/// as many values more.
 template <class Visitor>
 void for_each_block(const OffsetWavelengths& at, std::span<double> values, const Visitor& visitor) noexcept {
+    if (at.size() == 1) {
+        double scratch = 0.0;
+        visitor(at, values, std::span(&scratch, 1));
+        return;
+    }
+    WavelengthBlock scratch{};
     for (std::size_t first = 0; first < at.size(); first += kWavelengthBlock) {
         const std::size_t count = std::min(kWavelengthBlock, at.size() - first);
-        visitor(OffsetWavelengths{at.base_nm, at.offset_nm.subspan(first, count)}, values.subspan(first, count));
+        visitor(OffsetWavelengths{at.base_nm, at.offset_nm.subspan(first, count)}, values.subspan(first, count),
+                std::span(scratch).first(count));
     }
 }
 

@@ -27,14 +27,8 @@ TEST(Planck, IntegratesToStefanAndBoltzmann) {
     EXPECT_NEAR(radiance / expected, 1.0, 1e-7);
 }
 
-// Luminance of the finely tabulated radiance, cd/m^2.
 double blackbody_luminance(double temperature_K) {
-    PiecewiseLinearSpectrum radiance;
-    for (double lambda_nm = 360.0; lambda_nm <= 830.0; lambda_nm += 0.125) {
-        radiance.lambda_nm.push_back(lambda_nm);
-        radiance.value.push_back(planck_radiance(temperature_K, lambda_nm));
-    }
-    return xyz_of_radiance(radiance).y;
+    return xyz_of_radiance(BlackbodySpectrum{temperature_K, BlackbodyUnit::radiance}).y;
 }
 
 TEST(Planck, LuminanceAt2042KelvinIsThePublishedOne) {
@@ -57,6 +51,14 @@ TEST(Planck, RelativeFormIsTheAbsoluteOneOverItsPeak) {
             const double expected = planck_radiance(temperature_K, lambda_nm) / peak;
             EXPECT_NEAR(relative_planck_radiance(temperature_K, lambda_nm), expected, 1e-12 * expected);
         }
+    }
+}
+
+TEST(Blackbody, ComesInBothUnits) {
+    for (const double lambda_nm : {300.0, 555.0, 10000.0}) {
+        EXPECT_EQ(eval(BlackbodySpectrum{3000.0}, lambda_nm), relative_planck_radiance(3000.0, lambda_nm));
+        EXPECT_EQ(eval(BlackbodySpectrum{3000.0, BlackbodyUnit::radiance}, lambda_nm),
+                  planck_radiance(3000.0, lambda_nm));
     }
 }
 

@@ -101,6 +101,62 @@ TEST(SpectrumTable, LinesBetweenWholeNanometresAreAsBrightAsTheyShouldBe) {
     }
 }
 
+TEST(SpectrumTable, TakesEveryKindOfSpectrum) {
+    const Spectrum d65 = tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65");
+    EXPECT_LE(largest_relative_difference(DenseSpectrum{400.0, 5.0, {1.0, 0.0, 2.0, 3.0}}), 1e-6);
+    EXPECT_LE(largest_relative_difference(PiecewiseLinearSpectrum{{500.0, 600.0}, {1.0, 2.0}, Extrapolation::straight}),
+              1e-6);
+    EXPECT_LE(largest_relative_difference(DaylightSpectrum{5000.0}), 1e-6);
+    EXPECT_LE(largest_relative_difference(BlackbodySpectrum{2856.0, BlackbodyUnit::radiance}), 3e-5);
+    EXPECT_LE(largest_relative_difference(sum_of(d65, DaylightSpectrum{5000.0}, 0.5, 2.0)), 1e-6);
+    // Next to the peak, 1 - d t^2/2 with d = 1/sigma^2 = 1/33.8, the nearest line would start above 1. Pulled down to
+    // it with the mean 1 - d/6 kept, it is 1 - d t/3, and d/6 too high at the other end.
+    EXPECT_LE(largest_relative_difference(LineSpectrum{{}, {{550.0, 13.7, 1.0}}}), 1.0 / 6.0 / 33.8);
+    // Elsewhere a parabola's nearest line is off by h^2/12 of the second derivative.
+    const Spectrum ramp = PiecewiseLinearSpectrum{{360.0, 830.0}, {0.0, 1.0}};
+    EXPECT_LE(largest_relative_difference(product_of(ramp, ramp)), 2.0 / 12.0 / (470.0 * 470.0) + 1e-6);
+}
+
+TEST(SpectrumTable, LinesWithoutWidthAreAsBrightAsTheyShouldBe) {
+    const Spectrum d65 = tabulated_spectrum("illuminants_a_d_300_830_5nm", "D65");
+    for (const double power : {3.0, -3.0}) {
+        for (const double lambda_nm : {360.0, 435.833, 500.0, 500.01, 546.074, 611.5, 779.99, 829.7, 830.0}) {
+            const Spectrum line = LineSpectrum{{{lambda_nm, power}}, {}};
+            const double expected = power * eval(cie_1931_2deg(), lambda_nm).y;
+            EXPECT_NEAR(photometric_integral(line) / expected, 1.0, 1e-14);
+            const SpectrumTable table(line, 1.0 / expected);
+            EXPECT_NEAR(xyz_of_table(table).y, 1.0, 1e-6) << lambda_nm;
+            // Of one sign, in its own nanometre only, and added to what else is there.
+            const double cell_nm = std::min(std::floor(lambda_nm), 829.0);
+            for (const double inside : {0.01, 0.5, 0.99})
+                EXPECT_GE(at(table, cell_nm + inside) * eval(cie_1931_2deg(), lambda_nm).y, -1e-6f);
+            if (cell_nm > 360.0) {
+                EXPECT_EQ(at(table, cell_nm - 0.01), 0.0f);
+            }
+            const SpectrumTable lamp(sum_of(d65, line)), alone(d65), weak(line);
+            EXPECT_NEAR(at(lamp, cell_nm + 0.3), at(alone, cell_nm + 0.3) + at(weak, cell_nm + 0.3), 2e-5f);
+        }
+    }
+    // In the middle third of a nanometre X and Z are kept, too; two lines in one nanometre are both there.
+    const Spectrum two = LineSpectrum{{{450.4, 1.0}, {450.6, 2.0}}, {}};
+    const XYZd found = xyz_of_table(SpectrumTable(two)), expected = (1.0 / kLuminousEfficacy) * xyz_of_radiance(two);
+    EXPECT_NEAR(found.x / expected.x, 1.0, 1e-6);
+    EXPECT_NEAR(found.y / expected.y, 1.0, 1e-6);
+    EXPECT_NEAR(found.z / expected.z, 1.0, 1e-6);
+    // Outside the wavelengths of rendering there is nothing to add to.
+    EXPECT_EQ(xyz_of_table(SpectrumTable(LineSpectrum{{{359.9, 1.0}, {830.1, 1.0}}, {}})).y, 0.0);
+}
+
+TEST(SpectrumTable, GaussiansAreAsBrightAsTheyShouldBe) {
+    for (const double fwhm_nm : {1e-6, 1e-3, 0.1, 0.7, 2.0, 5.0, 30.0}) {
+        for (double mean_nm = 400.0; mean_nm < 720.0; mean_nm += 31.37) {
+            const Spectrum line = LineSpectrum{{}, {{mean_nm, fwhm_nm, 1.0}}};
+            const double expected = photometric_integral(line);
+            EXPECT_NEAR(xyz_of_table(SpectrumTable(line, 1.0 / expected)).y, 1.0, 1e-5) << mean_nm << ' ' << fwhm_nm;
+        }
+    }
+}
+
 TEST(SpectrumTable, KnotsBetweenWholeNanometresKeepTheColour) {
     // Where the line nearest to the spectrum stays between 0 and 1, all three sums are exact; else nearly so.
     const Spectrum spectrum = PiecewiseLinearSpectrum{{420.3, 480.71, 530.5, 531.2, 590.9, 655.45, 690.1},
