@@ -81,7 +81,7 @@ class SigmoidTable {
     [[nodiscard]] SigmoidCoefficients reflectance(const RGB& rgb) const noexcept;
 
     /// As pbrt-v4 takes colours without an upper bound: with m the largest component, scale = 2 m and the sigmoid of
-    /// rgb / (2 m). Scale 0 if no component is above 0.
+    /// rgb / (2 m). Scale 0 if no component is above 0, infinite if one is above half the largest float.
     [[nodiscard]] ScaledSigmoid unbounded(const RGB& rgb) const noexcept;
 
   private:

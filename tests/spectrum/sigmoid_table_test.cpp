@@ -146,6 +146,9 @@ TEST(SigmoidTable, UnboundedIsTwiceTheLargestTimesAReflectance) {
     EXPECT_EQ(scaled.sigmoid, table.reflectance({0.5f, 0.125f, 0.375f}));
     EXPECT_EQ(table.unbounded({0.0f, 0.0f, 0.0f}).scale, 0.0f);
     EXPECT_EQ(table.unbounded({-1.0f, 0.0f, kNaN}).scale, 0.0f);
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    EXPECT_EQ(table.unbounded({0.5f * kLargest, 0.0f, 0.0f}).scale, kLargest);
+    EXPECT_EQ(table.unbounded({kLargest, 0.0f, 0.0f}).scale, std::numeric_limits<float>::infinity());
 }
 
 TEST(SigmoidTable, BelongsToPrimariesAndWhite) {
