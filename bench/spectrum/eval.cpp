@@ -53,7 +53,16 @@ std::vector<double> wavelengths() {
     return lambda_nm;
 }
 
-void one_by_one(benchmark::State& state, const Spectrum& spectrum) {
+/// The benchmark's spectrum, whose name becomes its label.
+Spectrum spectrum_of(benchmark::State& state) {
+    static const auto all = bench_spectra();
+    const auto& [name, spectrum] = all.at(static_cast<std::size_t>(state.range(0)));
+    state.SetLabel(name);
+    return spectrum;
+}
+
+void one_by_one(benchmark::State& state) {
+    const Spectrum spectrum = spectrum_of(state);
     const std::vector<double> lambda_nm = wavelengths();
     std::vector<double> values(kCount);
     for (auto _ : state) {
@@ -63,7 +72,8 @@ void one_by_one(benchmark::State& state, const Spectrum& spectrum) {
     state.SetItemsProcessed(static_cast<std::int64_t>(kCount) * state.iterations());
 }
 
-void span(benchmark::State& state, const Spectrum& spectrum) {
+void span(benchmark::State& state) {
+    const Spectrum spectrum = spectrum_of(state);
     const std::vector<double> lambda_nm = wavelengths();
     std::vector<double> values(kCount);
     eval(spectrum, lambda_nm, values);
@@ -80,7 +90,8 @@ void span(benchmark::State& state, const Spectrum& spectrum) {
 }
 
 // The renderer's form, four wavelengths at a time, their places in the table worked out anew.
-void float_table(benchmark::State& state, const Spectrum& spectrum) {
+void float_table(benchmark::State& state) {
+    const Spectrum spectrum = spectrum_of(state);
     const SpectrumTable table(spectrum);
     const std::vector<double> lambda_nm = wavelengths();
     std::vector<std::array<float, 4>> fours(kCount / 4);
@@ -119,32 +130,28 @@ void sum_by_1nm(benchmark::State& state, const Spectrum& reflectance, const Spec
     for (auto _ : state) benchmark::DoNotOptimize(xyz_by_summation(reflectance, illuminant));
 }
 
-void make_table(benchmark::State& state, const Spectrum& spectrum) {
+void make_table(benchmark::State& state) {
+    const Spectrum spectrum = spectrum_of(state);
     for (auto _ : state) benchmark::DoNotOptimize(SpectrumTable(spectrum));
 }
 
-void register_all() {
-    const auto add = [](const std::string& name, auto function, const auto&... arguments) {
-        benchmark::RegisterBenchmark(name.c_str(), function, arguments...)->Repetitions(5)->ReportAggregatesOnly(true);
-    };
-    for (const auto& [name, spectrum] : bench_spectra()) {
-        add(name + "/one_by_one", one_by_one, spectrum);
-        add(name + "/span", span, spectrum);
-        add(name + "/float_table", float_table, spectrum);
-        add(name + "/make_table", make_table, spectrum);
-    }
-    add("xyz/tables/exact_integral", exact_integral, red(), d65());
-    add("xyz/tables/sum_by_1nm", sum_by_1nm, red(), d65());
-    add("xyz/smooth/exact_integral", exact_integral, sigmoid(), Spectrum(BlackbodySpectrum{2856.0}));
-    add("xyz/smooth/sum_by_1nm", sum_by_1nm, sigmoid(), Spectrum(BlackbodySpectrum{2856.0}));
+void every_spectrum(benchmark::internal::Benchmark* benchmark) {
+    benchmark->ArgName("spectrum")
+        ->DenseRange(0, static_cast<std::int64_t>(bench_spectra().size()) - 1)
+        ->Repetitions(5)
+        ->ReportAggregatesOnly(true);
 }
+
+BENCHMARK(one_by_one)->Apply(every_spectrum);
+BENCHMARK(span)->Apply(every_spectrum);
+BENCHMARK(float_table)->Apply(every_spectrum);
+BENCHMARK(make_table)->Apply(every_spectrum);
+BENCHMARK_CAPTURE(exact_integral, tables, red(), d65())->Repetitions(5);
+BENCHMARK_CAPTURE(sum_by_1nm, tables, red(), d65())->Repetitions(5);
+BENCHMARK_CAPTURE(exact_integral, smooth, sigmoid(), BlackbodySpectrum{2856.0})->Repetitions(5);
+BENCHMARK_CAPTURE(sum_by_1nm, smooth, sigmoid(), BlackbodySpectrum{2856.0})->Repetitions(5);
 
 }  // namespace
 }  // namespace emulsion
 
-int main(int argc, char** argv) {
-    emulsion::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}
+BENCHMARK_MAIN();

@@ -32,18 +32,20 @@ void append_steep_places(const Spectrum& spectrum, double from_nm, double to_nm,
     }
 }
 
+void sort_and_unite(std::vector<double>& cuts) {
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+}
+
 /// `cuts` and everything at which the product of the factors has to be cut, from from_nm to to_nm; increasing.
 std::vector<double> all_cuts(SpectrumReferences factors, std::vector<double> cuts, double from_nm, double to_nm) {
     cuts.push_back(from_nm);
     cuts.push_back(to_nm);
     for (const Spectrum& factor : factors) {
-        const std::vector<double> knots = knots_nm(factor);
-        const auto first = std::upper_bound(knots.begin(), knots.end(), from_nm);
-        cuts.insert(cuts.end(), first, std::lower_bound(first, knots.end(), to_nm));
-        append_steep_places(factor, from_nm, to_nm, cuts);
+        const std::vector<double> more = integration_cuts_nm(factor, from_nm, to_nm);
+        cuts.insert(cuts.end(), more.begin(), more.end());
     }
-    std::sort(cuts.begin(), cuts.end());
-    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    sort_and_unite(cuts);
     return cuts;
 }
 
@@ -84,6 +86,15 @@ void require_range(double from_nm, double to_nm) {
 }
 
 }  // namespace
+
+std::vector<double> integration_cuts_nm(const Spectrum& spectrum, double from_nm, double to_nm) {
+    const std::vector<double> knots = knots_nm(spectrum);
+    const auto first = std::upper_bound(knots.begin(), knots.end(), from_nm);
+    std::vector<double> cuts(first, std::lower_bound(first, knots.end(), to_nm));
+    append_steep_places(spectrum, from_nm, to_nm, cuts);
+    sort_and_unite(cuts);
+    return cuts;
+}
 
 double integral(const Spectrum& spectrum, double from_nm, double to_nm) {
     return integral_of_product({spectrum}, from_nm, to_nm);

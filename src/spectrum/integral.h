@@ -8,12 +8,17 @@
 
 #include <functional>
 #include <initializer_list>
+#include <vector>
 
 #include "core/color.h"
 #include "spectrum/observer.h"
 #include "spectrum/spectrum.h"
 
 namespace emulsion {
+
+/// Where an integral from from_nm to to_nm has to be cut: the knots, and what is steep without one (sigmoids); strictly
+/// between the two, strictly increasing.
+[[nodiscard]] std::vector<double> integration_cuts_nm(const Spectrum& spectrum, double from_nm, double to_nm);
 
 using SpectrumReferences = std::initializer_list<std::reference_wrapper<const Spectrum>>;
 

@@ -44,10 +44,13 @@ std::vector<double> steep_places_nm(const SigmoidSpectrum& spectrum, double from
     // Around t, where the argument grows by 1 over `width`: the tails fall with its square, so ever wider steps do.
     const auto add_around = [&](double t, double width) {
         add(t);
-        for (double distance = width; distance < 1.0; distance *= 6.0) {
-            if (t + distance == t) continue;
-            add(t - distance);
-            add(t + distance);
+        double distance = width;
+        while (distance < 1.0) {
+            if (t + distance != t) {
+                add(t - distance);
+                add(t + distance);
+            }
+            distance *= 6.0;
         }
     };
     if (!std::isfinite(c)) return places;

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "spectrum/integral.h"
 #include "spectrum/integral_panels.h"
 #include "spectrum/observer.h"
 
@@ -107,7 +108,7 @@ bool is_in_cell(double lambda_nm, int first_nm) noexcept {
 
 SpectrumTable::SpectrumTable(const Spectrum& spectrum, double scale) {
     validate(spectrum);
-    const std::vector<double> knots = knots_nm(spectrum);
+    const std::vector<double> knots = integration_cuts_nm(spectrum, kMinWavelength_nm, kMaxWavelength_nm);
     const bool is_straight = polynomial_degree(spectrum).value_or(2) <= 1;
     const std::vector<Line> delta = delta_lines(spectrum);
     lines_.reserve(kMaxWavelength_nm - kMinWavelength_nm);

@@ -40,7 +40,7 @@ std::vector<Spectrum> one_of_each() {
 
 class EverySpectrum : public testing::TestWithParam<std::size_t> {
   protected:
-    const Spectrum spectrum = one_of_each()[GetParam()];
+    [[nodiscard]] static Spectrum tested() { return one_of_each()[GetParam()]; }
 };
 
 TEST(OneOfEach, LeavesNoneOut) {
@@ -51,6 +51,7 @@ TEST(OneOfEach, LeavesNoneOut) {
 
 // Increasing, decreasing, in any order; more than one block; knots and what lies outside too.
 TEST_P(EverySpectrum, EvaluatesManyAsOneByOne) {
+    const Spectrum spectrum = tested();
     Pcg32 random(7);
     std::vector<double> lambda_nm = knots_nm(spectrum);
     for (int i = 0; i < 300; ++i) lambda_nm.push_back(250.0 + 700.0 * static_cast<double>(random.next_float()));
@@ -66,6 +67,7 @@ TEST_P(EverySpectrum, EvaluatesManyAsOneByOne) {
 }
 
 TEST_P(EverySpectrum, IsWhatItsLimitsAreButForJumps) {
+    const Spectrum spectrum = tested();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::vector<double> knots = knots_nm(spectrum);
     double largest = 0.0;
@@ -84,6 +86,7 @@ TEST_P(EverySpectrum, IsWhatItsLimitsAreButForJumps) {
 }
 
 TEST_P(EverySpectrum, HasIncreasingKnotsAndLines) {
+    const Spectrum spectrum = tested();
     const std::vector<double> knots = knots_nm(spectrum);
     EXPECT_EQ(std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()), knots.end());
     const std::vector<Line> lines = delta_lines(spectrum);
@@ -92,10 +95,10 @@ TEST_P(EverySpectrum, HasIncreasingKnotsAndLines) {
 }
 
 TEST_P(EverySpectrum, IsAValue) {
+    const Spectrum spectrum = tested();
     EXPECT_NO_THROW(validate(spectrum));
-    const Spectrum copy = spectrum;
-    EXPECT_TRUE(copy == spectrum);
-    EXPECT_FALSE(copy == scaled(spectrum, 2.0));
+    EXPECT_TRUE(spectrum == tested());
+    EXPECT_FALSE(spectrum == scaled(spectrum, 2.0));
     EXPECT_DOUBLE_EQ(eval(scaled(spectrum, 2.0), 500.0), 2.0 * eval(spectrum, 500.0));
 }
 

@@ -157,6 +157,16 @@ TEST(SpectrumTable, GaussiansAreAsBrightAsTheyShouldBe) {
     }
 }
 
+TEST(SpectrumTable, SteepSigmoidsAreAsBrightAsTheyShouldBe) {
+    // An edge at 500.3 nm, and a bump of 0.005 nm there.
+    const double t = 140.3 / 470.0, k = 1e10;
+    const SigmoidSpectrum edge{{0.0, 1e7, -1e7 * t}}, bump{{-k, 2.0 * k * t, -k * t * t}};
+    for (const SigmoidSpectrum& steep : {edge, bump}) {
+        const double expected = photometric_integral(steep);
+        EXPECT_NEAR(xyz_of_table(SpectrumTable(steep, 1.0 / expected)).y, 1.0, 1e-5);
+    }
+}
+
 TEST(SpectrumTable, KnotsBetweenWholeNanometresKeepTheColour) {
     // Where the line nearest to the spectrum stays between 0 and 1, all three sums are exact; else nearly so.
     const Spectrum spectrum = PiecewiseLinearSpectrum{{420.3, 480.71, 530.5, 531.2, 590.9, 655.45, 690.1},
