@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -153,14 +156,22 @@ std::vector<RGBd> random_colours(std::size_t count) {
     return colours;
 }
 
-template <class Method>
-void prepare_space(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(RgbUplift(rgb_space("sRGB"), Method{}));
+// The first argument of these is the method's number.
+UpliftMethod method_of(benchmark::State& state) {
+    std::vector<UpliftMethod> methods;
+    for_each_alternative<UpliftMethod>([&](const auto& method) { methods.emplace_back(method); });
+    const UpliftMethod& method = methods[static_cast<std::size_t>(state.range(0))];
+    state.SetLabel(to_text(method));
+    return method;
 }
 
-template <class Method>
+void prepare_space(benchmark::State& state) {
+    const UpliftMethod method = method_of(state);
+    for (auto _ : state) benchmark::DoNotOptimize(RgbUplift(rgb_space("sRGB"), method));
+}
+
 void one_colour(benchmark::State& state) {
-    const RgbUplift uplift(rgb_space("sRGB"), Method{});
+    const RgbUplift uplift(rgb_space("sRGB"), method_of(state));
     const std::vector<RGBd> colours = random_colours(256);
     std::size_t i = 0;
     for (auto _ : state) {
@@ -172,14 +183,18 @@ void one_colour(benchmark::State& state) {
 constexpr std::array<double, 4> kLambda_nm = {423.4, 517.2, 588.8, 651.9};
 
 // Four wavelengths, as eval takes many at once.
-template <class Method>
 void four_wavelengths(benchmark::State& state) {
-    const Spectrum reflectance = RgbUplift(rgb_space("sRGB"), Method{}).reflectance({0.7, 0.2, 0.4});
+    const Spectrum reflectance = RgbUplift(rgb_space("sRGB"), method_of(state)).reflectance({0.7, 0.2, 0.4});
     std::array<double, 4> values{};
     for (auto _ : state) {
         eval(reflectance, kLambda_nm, values);
         benchmark::DoNotOptimize(values);
     }
+}
+
+void every_method(benchmark::internal::Benchmark* registered) {
+    registered->ArgName("method")->Repetitions(5);
+    for (std::size_t i = 0; i < std::variant_size_v<UpliftMethod>; ++i) registered->Arg(static_cast<std::int64_t>(i));
 }
 
 // What is timed must also be right: the table's colours are those asked for to 0.4 CIELAB.
@@ -228,28 +243,20 @@ void table_wavelengths(benchmark::State& state) {
     }
 }
 
+BENCHMARK(prepare_space)->Apply(every_method);
+BENCHMARK(one_colour)->Apply(every_method);
+BENCHMARK(four_wavelengths)->Apply(every_method);
 BENCHMARK(table_lookup)->Repetitions(5);
 BENCHMARK(table_wavelengths<4>)->Repetitions(5);
 BENCHMARK(table_wavelengths<8>)->Repetitions(5);
-
-void register_times() {
-    for_each_alternative<UpliftMethod>([]<class Method>(const Method&) {
-        const std::string name(Method::kName);
-        benchmark::RegisterBenchmark((name + "/prepare").c_str(), prepare_space<Method>)->Repetitions(5);
-        benchmark::RegisterBenchmark((name + "/colour").c_str(), one_colour<Method>)->Repetitions(5);
-        benchmark::RegisterBenchmark((name + "/4-wavelengths").c_str(), four_wavelengths<Method>)->Repetitions(5);
-    });
-}
 
 }  // namespace
 }  // namespace emulsion
 
 int main(int argc, char** argv) {
-    emulsion::register_times();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     emulsion::print_table();
     benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
     return 0;
 }
