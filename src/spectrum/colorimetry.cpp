@@ -15,10 +15,11 @@ namespace emulsion {
 
 namespace {
 
+/// Subnormal numbers are refused, too: their reciprocals are infinite.
 void require_light(double luminance) {
-    if (!(std::abs(luminance) > 0.0)) {
-        throw std::invalid_argument("illuminant: its luminance is 0, expected another value");
-    }
+    if (std::isnormal(luminance)) return;
+    throw std::invalid_argument(
+        fmt::format("illuminant: its luminance is {}, expected a finite number other than 0", luminance));
 }
 
 /// first_nm, first_nm + step_nm, ... up to last_nm.

@@ -27,7 +27,8 @@ namespace emulsion {
 [[nodiscard]] XYZd xyz_of_radiance(const Spectrum& radiance, const Observer& observer = cie_1931_2deg());
 
 /// Integrals of reflectance * illuminant over that of the illuminant with ybar: Y = 1 for the perfect reflector.
-/// \throws std::invalid_argument as validate(Spectrum) does, and for an illuminant that is 0 in the visible.
+/// \throws std::invalid_argument as validate(Spectrum) does, and for an illuminant that is 0 in the visible, or whose
+/// luminance is beyond what a double holds.
 [[nodiscard]] XYZd xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant,
                                       const Observer& observer = cie_1931_2deg());
 

@@ -134,7 +134,12 @@ TEST(XyzOfReflectance, IsRelativeToThePerfectReflector) {
 TEST(XyzOfReflectance, NeedsLight) {
     const PiecewiseLinearSpectrum infrared{{900.0, 950.0}, {1.0, 1.0}};
     EXPECT_THAT([&] { (void)xyz_of_reflectance(ConstantSpectrum{1.0}, infrared); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("illuminant")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("illuminant: its luminance is 0")));
+    // Integrals that overflow, or whose reciprocal does, would make XYZ of NaN or infinity.
+    EXPECT_THAT([] { (void)xyz_of_reflectance(ConstantSpectrum{0.5}, ConstantSpectrum{1e307}); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("luminance is inf")));
+    EXPECT_THROW((void)xyz_of_reflectance(ConstantSpectrum{0.5}, ConstantSpectrum{1e-312}), std::invalid_argument);
+    EXPECT_THROW((void)xyz_by_summation(ConstantSpectrum{0.5}, ConstantSpectrum{1e307}), std::invalid_argument);
     EXPECT_THROW((void)xyz_of_radiance(BlackbodySpectrum{-1.0}), std::invalid_argument);
     EXPECT_THROW((void)photometric_integral(PiecewiseLinearSpectrum{}), std::invalid_argument);
 }
