@@ -29,17 +29,7 @@ Spectrum reference_of(double temperature_K, const ColorRenderingMethod& method) 
 // XYZ of a reflectance, with Y = 1 for the perfect reflector.
 XYZd seen(const Spectrum& reflectance, const Spectrum& light, Integration integration) {
     if (integration == Integration::exact) return xyz_of_reflectance(reflectance, light);
-    XYZd sum;
-    double white = 0.0;
-    for (int lambda_nm = 380; lambda_nm <= 780; lambda_nm += 5) {
-        const XYZd weight = eval(light, lambda_nm) * eval(cie_1931_2deg(), lambda_nm);
-        sum = sum + eval(reflectance, lambda_nm) * weight;
-        white += weight.y;
-    }
-    if (!(std::abs(white) > 0.0)) {
-        throw std::invalid_argument("illuminant: its luminance is 0, expected another value");
-    }
-    return (1.0 / white) * sum;
+    return xyz_by_summation(reflectance, light, cie_1931_2deg(), 380.0, 780.0, 5.0);
 }
 
 // The quantities in which the standard scales chromaticities, as von Kries scales the responses of the cones.

@@ -25,7 +25,7 @@ struct ColorRendering {
 struct ColorRenderingMethod {
     enum class Integration {
         exact,      ///< integrals over 360-830 nm, like all of this library
-        every_5nm,  ///< sums at 380, 385, ... 780 nm, by which published figures are made; lines without width are lost
+        every_5nm,  ///< sums at 380, 385, ... 780 nm, by which published figures are made; refuses lines without width
     };
     Integration integration = Integration::exact;
     /// From here up the reference is daylight, below a blackbody; [4000, 25000]. 5000 K by the standard. The figures of
@@ -40,7 +40,7 @@ struct ColorRenderingMethod {
 /// those rounded to three decimals. So D65 itself has an Ra of 99.998; blackbodies have 100.
 ///
 /// Source: CIE 13.3-1995, section 5, with its test colours at every 5 nm.
-/// \throws std::invalid_argument as validate(Spectrum) does, for a light that is 0 in the visible or has no correlated
+/// \throws std::invalid_argument as xyz_of_reflectance or xyz_by_summation does, for a light that has no correlated
 /// colour temperature in [500, 25000] K, and for a method out of range.
 [[nodiscard]] ColorRendering color_rendering(const Spectrum& light, const ColorRenderingMethod& method = {});
 

@@ -124,6 +124,11 @@ TEST(ColorRendering, RefusesWhatHasNoReference) {
     const PiecewiseLinearSpectrum blue{{400.0, 450.0, 470.0}, {0.0, 1.0, 0.0}};
     EXPECT_THAT([&] { (void)color_rendering(blue, kEvery5nm); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("no correlated colour temperature")));
+    // A lamp of mercury and phosphor: an integral sees its line, sums at 5 nm can't.
+    const Spectrum lamp_with_line = sum_of(lamp("FL2"), LineSpectrum{{{546.074, 100.0}}, {}});
+    EXPECT_LT(color_rendering(lamp_with_line).general_index, color_rendering(lamp("FL2")).general_index);
+    EXPECT_THAT([&] { (void)color_rendering(lamp_with_line, kEvery5nm); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("lines without width")));
     EXPECT_THAT([] { (void)color_rendering(ConstantSpectrum{1.0}, {.daylight_from_K = 3000.0}); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("daylight_from_K = 3000")));
 }
