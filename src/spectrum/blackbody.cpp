@@ -17,17 +17,21 @@ constexpr double kPeakExponent = 4.965114231744276;
 
 double fifth_power(double x) noexcept { return x * x * (x * x) * x; }
 
+/// h c / (lambda k T); lambda T alone may overflow.
+double planck_exponent(double temperature_K, double lambda_nm) noexcept {
+    return kSecondRadiation_nmK / lambda_nm / temperature_K;
+}
+
 }  // namespace
 
 double planck_radiance(double temperature_K, double lambda_nm) noexcept {
     const double lambda_m = 1e-9 * lambda_nm;
-    const double per_m = 2.0 * kPlanck * kSpeedOfLight * kSpeedOfLight / fifth_power(lambda_m) /
-                         std::expm1(kSecondRadiation_nmK / (lambda_nm * temperature_K));
-    return 1e-9 * per_m;
+    const double per_nm = 1e-9 * 2.0 * kPlanck * kSpeedOfLight * kSpeedOfLight / fifth_power(lambda_m);
+    return per_nm / std::expm1(planck_exponent(temperature_K, lambda_nm));
 }
 
 double relative_planck_radiance(double temperature_K, double lambda_nm) noexcept {
-    const double exponent = kSecondRadiation_nmK / (lambda_nm * temperature_K);
+    const double exponent = planck_exponent(temperature_K, lambda_nm);
     // (lambda_peak / lambda)^5 written by the exponents; exp(x) may overflow to infinity, and the quotient to 0 is
     // right.
     if (exponent > 700.0) return 0.0;

@@ -66,6 +66,15 @@ TEST(Planck, FarFromThePeakIsZeroNotNaN) {
     EXPECT_EQ(planck_radiance(1.0, 360.0), 0.0);
     EXPECT_EQ(relative_planck_radiance(1.0, 360.0), 0.0);
     EXPECT_EQ(eval(BlackbodySpectrum{1.0}, 360.0), 0.0);
+    EXPECT_EQ(eval(BlackbodySpectrum{1e308}, 500.0), 0.0) << "500 nm times 1e308 K is no double";
+}
+
+// Rayleigh and Jeans: 2 c k T / lambda^4, up to temperatures that are near a double's end.
+TEST(Planck, OfTheHottestIsThatOfRayleighAndJeans) {
+    for (const double temperature_K : {1e16, 1e100, 1e300}) {
+        const double expected = 1e-9 * 2.0 * kSpeedOfLight * kBoltzmann * temperature_K / std::pow(5e-7, 4.0);
+        EXPECT_NEAR(planck_radiance(temperature_K, 500.0) / expected, 1.0, 1e-11) << temperature_K;
+    }
 }
 
 }  // namespace
