@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/core.h>
+
+#include "spectrum/integral_panels.h"
 
 namespace emulsion {
 
@@ -16,20 +20,19 @@ double response(const Observer& observer, double lambda_nm) noexcept {
     return xyz.x + xyz.y + xyz.z;
 }
 
-// Integral over [from_nm, to_nm], where the spectrum has no knots and the observer is a straight line: Simpson's rule,
-// exact for straight lines, and near enough for the smooth ones. The limits are those from inside.
-double smooth_integral(const Spectrum& spectrum, const Observer& observer, double from_nm, double to_nm) {
-    constexpr int kPanels = 4;
-    const double step_nm = (to_nm - from_nm) / kPanels;
+// Integral of the continuum's magnitude over the cell that starts at the first cut and ends at the last, between which
+// are its knots. Of each stretch between two cuts, so that what changes its sign at a knot isn't cancelled.
+double importance_of_cell(const Spectrum& light, const Observer& observer, std::span<const double> cuts_nm) {
+    std::optional<int> degree = polynomial_degree(light);
+    if (degree) ++*degree;
+    const auto integrand = [&](const OffsetWavelengths& at, std::span<Sums<1>> values) {
+        WavelengthBlock power{};
+        eval(light, at, std::span(power).first(at.size()));
+        for (std::size_t i = 0; i < at.size(); ++i) values[i][0] = power[i] * response(observer, at[i]);
+    };
     double sum = 0.0;
-    for (int i = 0; i < kPanels; ++i) {
-        const double a_nm = from_nm + i * step_nm;
-        const double b_nm = i + 1 == kPanels ? to_nm : a_nm + step_nm;
-        const double middle_nm = 0.5 * (a_nm + b_nm);
-        sum += (b_nm - a_nm) / 6.0 *
-               (limit(spectrum, a_nm, Side::above) * response(observer, a_nm) +
-                4.0 * eval(spectrum, middle_nm) * response(observer, middle_nm) +
-                limit(spectrum, b_nm, Side::below) * response(observer, b_nm));
+    for (std::size_t i = 0; i + 1 < cuts_nm.size(); ++i) {
+        sum += std::abs(integral_over_cuts<1>(cuts_nm.subspan(i, 2), degree, integrand)[0]);
     }
     return sum;
 }
@@ -54,15 +57,14 @@ WavelengthImportance wavelength_importance(const Spectrum& light, const Observer
     validate(light);
     WavelengthImportance importance;
     const std::vector<double> knots = knots_nm(light);
+    std::vector<double> cuts;
     for (std::size_t cell = 0; cell < kWavelengthCells; ++cell) {
-        const double end_nm = kMinWavelength_nm + static_cast<double>(cell) + 1.0;
-        double from_nm = end_nm - 1.0;
-        for (auto knot = std::upper_bound(knots.begin(), knots.end(), from_nm); knot != knots.end() && *knot < end_nm;
-             ++knot) {
-            importance.per_nm[cell] += std::abs(smooth_integral(light, observer, from_nm, *knot));
-            from_nm = *knot;
-        }
-        importance.per_nm[cell] += std::abs(smooth_integral(light, observer, from_nm, end_nm));
+        const double start_nm = kMinWavelength_nm + static_cast<double>(cell), end_nm = start_nm + 1.0;
+        const auto first = std::upper_bound(knots.begin(), knots.end(), start_nm);
+        cuts.assign({start_nm});
+        cuts.insert(cuts.end(), first, std::lower_bound(first, knots.end(), end_nm));
+        cuts.push_back(end_nm);
+        importance.per_nm[cell] = importance_of_cell(light, observer, cuts);
     }
     for (const Line& line : delta_lines(light)) {
         if (!can_be_seen(line)) continue;

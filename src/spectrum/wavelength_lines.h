@@ -14,7 +14,9 @@
 // Why L counts for nothing on a line: one wavelength alone holds none of the continuum, and a density almost never hits
 // a line. So the balance heuristic in its one-sample form (Veach & Guibas, "Optimally Combining Sampling Techniques for
 // Monte Carlo Rendering", SIGGRAPH 1995) gives all the weight to the technique that made the sample, and is this
-// mixture. Lines of some width, however narrow, are continuum: their nanometres get their share of the density.
+// mixture. Lines of some width, however narrow, are continuum: their nanometres get their share of the density. Of a
+// Gaussian much narrower than a nanometre few samples hit anything, though: a renderer takes it from its SpectrumTable,
+// which spreads it over the nanometre.
 //
 // The choice between lines and continuum is stratified: lines and nanometres lie in the order of wavelength on one axis
 // of u, each as long as its probability, and the N numbers of a path are spread over it. By rotation, a line of mass m

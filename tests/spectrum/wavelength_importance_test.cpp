@@ -56,11 +56,15 @@ TEST(WavelengthImportance, FindsBandsNarrowerThanANanometre) {
 
 // Also on a continuum, under a reflector, and as narrow Gaussians: those belong to their nanometres.
 TEST(WavelengthImportance, FindsGaussiansInTheirNanometre) {
+    // The observer is a straight line there, so that a Gaussian counts with its mean.
     const XYZd xyz = eval(cie_1931_2deg(), 546.5);
-    const WavelengthImportance importance = wavelength_importance(LineSpectrum{{}, {{546.5, 0.001, 2.0}}});
-    EXPECT_TRUE(importance.lines.empty());
-    EXPECT_NEAR(importance.per_nm[186], 2.0 * (xyz.x + xyz.y + xyz.z), 1e-3) << "1e-3: Simpson's rule on a Gaussian";
-    EXPECT_NEAR(sum_of_nanometres(importance), importance.per_nm[186], 1e-12);
+    const double expected = 2.0 * (xyz.x + xyz.y + xyz.z);
+    for (const double fwhm_nm : {1e-6, 1e-3, 0.1}) {
+        const WavelengthImportance importance = wavelength_importance(LineSpectrum{{}, {{546.5, fwhm_nm, 2.0}}});
+        EXPECT_TRUE(importance.lines.empty());
+        EXPECT_NEAR(importance.per_nm[186], expected, 1e-9 * expected) << fwhm_nm;
+        EXPECT_NEAR(sum_of_nanometres(importance), importance.per_nm[186], 1e-12);
+    }
 }
 
 TEST(WavelengthImportance, LinesCountInTheSameMeasure) {
