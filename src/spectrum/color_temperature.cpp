@@ -13,7 +13,7 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kSecondRadiation_nmK = 1e9 * kPlanck * kSpeedOfLight / kBoltzmann;
+constexpr double kSecondRadiation_nmK = 1e9 * kSecondRadiation_mK;
 
 // Gauss's three points on [0, 1]: exact for polynomials of degree 5. Over a nanometre of Planck's law times a straight
 // line they are right to 1e-13 even at 500 K.
