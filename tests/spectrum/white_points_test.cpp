@@ -53,7 +53,8 @@ TEST(WhitePoints, SumsAtFiveNanometresAreThePublishedOnesToTheirLastDigit) {
     }
 }
 
-// The exact integral over straight lines is another rule than the sum at 5 nm: the same tables, up to 2.9e-4 apart (LED_V1).
+// The exact integral over straight lines is another rule than the sum at 5 nm: the same tables, up to 2.9e-4 apart
+// (LED_V1).
 TEST(WhitePoints, ExactIntegralsAreWithinThreeInTenThousand) {
     double largest = 0.0;
     for (std::size_t row = 0; row < published().row_count(); ++row) {
