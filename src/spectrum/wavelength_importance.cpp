@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "spectrum/integral.h"
 #include "spectrum/integral_panels.h"
 
 namespace emulsion {
@@ -56,13 +57,13 @@ bool can_be_seen(const Line& line) noexcept {
 WavelengthImportance wavelength_importance(const Spectrum& light, const Observer& observer) {
     validate(light);
     WavelengthImportance importance;
-    const std::vector<double> knots = knots_nm(light);
+    const std::vector<double> inner_cuts = integration_cuts_nm(light, kMinWavelength_nm, kMaxWavelength_nm);
     std::vector<double> cuts;
     for (std::size_t cell = 0; cell < kWavelengthCells; ++cell) {
         const double start_nm = kMinWavelength_nm + static_cast<double>(cell), end_nm = start_nm + 1.0;
-        const auto first = std::upper_bound(knots.begin(), knots.end(), start_nm);
+        const auto first = std::upper_bound(inner_cuts.begin(), inner_cuts.end(), start_nm);
         cuts.assign({start_nm});
-        cuts.insert(cuts.end(), first, std::lower_bound(first, knots.end(), end_nm));
+        cuts.insert(cuts.end(), first, std::lower_bound(first, inner_cuts.end(), end_nm));
         cuts.push_back(end_nm);
         importance.per_nm[cell] = importance_of_cell(light, observer, cuts);
     }

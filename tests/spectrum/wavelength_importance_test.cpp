@@ -27,8 +27,11 @@ double exact_sum(const Spectrum& spectrum) {
 
 TEST(WavelengthImportance, AddsUpToXPlusYPlusZ) {
     const Spectrum fl11 = tabulated_spectrum("illuminants_5nm", "FL11");
-    for (const Spectrum& spectrum : {fl11, Spectrum(ConstantSpectrum{2.0}), Spectrum(BlackbodySpectrum{2042.0}),
-                                     Spectrum(SigmoidSpectrum{{-40.0, 30.0, -5.0}})}) {
+    // Smooth ones, an edge and a narrow bump: sigmoid(1e7 (t - 0.4)), sigmoid(-1e9 (t - 0.4)^2).
+    for (const Spectrum& spectrum :
+         {fl11, Spectrum(ConstantSpectrum{2.0}), Spectrum(BlackbodySpectrum{2042.0}),
+          Spectrum(SigmoidSpectrum{{-40.0, 30.0, -5.0}}), Spectrum(SigmoidSpectrum{{0.0, 1e7, -4e6}}),
+          Spectrum(SigmoidSpectrum{{-1e9, 8e8, -1.6e8}})}) {
         const double exact = exact_sum(spectrum);
         EXPECT_NEAR(sum_of_nanometres(wavelength_importance(spectrum)), exact, 1e-9 * exact);
     }
