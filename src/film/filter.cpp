@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -13,68 +11,35 @@ namespace emulsion {
 
 namespace {
 
-double sinc(double x) noexcept {
-    const double pi_x = std::numbers::pi * x;
-    // Below, sin(y)/y is 1 - y^2/6: 1 in double precision.
-    return std::abs(pi_x) < 1e-8 ? 1.0 : std::sin(pi_x) / pi_x;
-}
+/// Integrals over half of an axis.
+struct AxisIntegrals {
+    double of_f = 0.0, of_magnitude = 0.0;  ///< of f and of |f|
+};
 
-double gaussian(double x, double sigma) noexcept {
-    return std::exp(-x * x / (2.0 * sigma * sigma)) / (sigma * std::sqrt(2.0 * std::numbers::pi));
-}
-
-// Weights inside the radius, |offset_px| < radius_px.
-
-double eval_inside(const BoxFilter&, double, double) noexcept { return 1.0; }
-
-double eval_inside(const TriangleFilter&, double offset_px, double radius_px) noexcept {
-    return 1.0 - std::abs(offset_px) / radius_px;
-}
-
-double eval_inside(const GaussianFilter& filter, double offset_px, double radius_px) noexcept {
-    const auto sigma_px = static_cast<double>(filter.sigma_px);
-    return std::max(0.0, gaussian(offset_px, sigma_px) - gaussian(radius_px, sigma_px));
-}
-
-double eval_inside(const MitchellFilter& filter, double offset_px, double radius_px) noexcept {
-    const auto b = static_cast<double>(filter.b), c = static_cast<double>(filter.c);
-    const double x = std::abs(2.0 * offset_px / radius_px);
-    if (x <= 1.0) {
-        return ((12.0 - 9.0 * b - 6.0 * c) * x * x * x + (-18.0 + 12.0 * b + 6.0 * c) * x * x + (6.0 - 2.0 * b)) / 6.0;
+/// By midpoints, at least eight to a pixel up to a radius of 4096: within 1e-4 of the integral of |f| for all filters
+/// of moderate shape, and the right sign for those without lobes.
+AxisIntegrals coarse_integrals(const Filter& filter, FilterAxis axis) noexcept {
+    const double radius = radius_px(filter, axis);
+    const int steps = static_cast<int>(std::clamp(8.0 * radius, 256.0, 32768.0));
+    AxisIntegrals sums;
+    for (int i = 0; i < steps; ++i) {
+        const double f = eval(filter, axis, (i + 0.5) * (radius / steps));
+        sums.of_f += f;
+        sums.of_magnitude += std::abs(f);
     }
-    return ((-b - 6.0 * c) * x * x * x + (6.0 * b + 30.0 * c) * x * x + (-12.0 * b - 48.0 * c) * x +
-            (8.0 * b + 24.0 * c)) /
-           6.0;
+    return sums;
 }
 
-double eval_inside(const LanczosSincFilter& filter, double offset_px, double) noexcept {
-    return sinc(offset_px) * sinc(offset_px / static_cast<double>(filter.tau));
+void require_normalisable(const Filter& filter, FilterAxis axis) {
+    const AxisIntegrals integrals = coarse_integrals(filter, axis);
+    if (integrals.of_f > 0.0 && integrals.of_f >= kMinIntegral * integrals.of_magnitude) return;
+    throw std::invalid_argument(
+        "filter " + to_text(filter) + ": the integral along an axis is " +
+        (integrals.of_magnitude > 0.0
+             ? number_text(static_cast<float>(integrals.of_f / integrals.of_magnitude)) + " of that of its magnitude"
+             : "0") +
+        ", expected at least 1/1024");
 }
-
-void require(bool ok, std::string_view filter, std::string_view field, double value, std::string_view expected) {
-    if (ok) return;
-    throw std::invalid_argument(std::string(filter) + " filter: " + std::string(field) + " is " +
-                                std::to_string(value) + ", expected " + std::string(expected));
-}
-
-void require_positive(std::string_view filter, std::string_view field, float value) {
-    require(std::isfinite(value) && value > 0.0f, filter, field, static_cast<double>(value), "a finite number > 0");
-}
-
-void require_finite(std::string_view filter, std::string_view field, float value) {
-    require(std::isfinite(value), filter, field, static_cast<double>(value), "a finite number");
-}
-
-void validate_shape(const BoxFilter&) {}
-void validate_shape(const TriangleFilter&) {}
-void validate_shape(const GaussianFilter& filter) {
-    require_positive(GaussianFilter::kName, "sigma_px", filter.sigma_px);
-}
-void validate_shape(const MitchellFilter& filter) {
-    require_finite(MitchellFilter::kName, "b", filter.b);
-    require_finite(MitchellFilter::kName, "c", filter.c);
-}
-void validate_shape(const LanczosSincFilter& filter) { require_positive(LanczosSincFilter::kName, "tau", filter.tau); }
 
 }  // namespace
 
@@ -91,13 +56,11 @@ double eval(const Filter& filter, FilterAxis axis, double offset_px) noexcept {
 }
 
 void validate(const Filter& filter) {
-    std::visit(
-        [](const auto& f) {
-            require_positive(f.kName, "x_radius_px", f.x_radius_px);
-            require_positive(f.kName, "y_radius_px", f.y_radius_px);
-            validate_shape(f);
-        },
-        filter);
+    validate_named(filter, "filter");
+    require_normalisable(filter, FilterAxis::x);
+    if (radius_px(filter, FilterAxis::y) != radius_px(filter, FilterAxis::x)) {
+        require_normalisable(filter, FilterAxis::y);
+    }
 }
 
 }  // namespace emulsion

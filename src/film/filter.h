@@ -1,58 +1,22 @@
 #pragma once
 // Reconstruction filters: the weight of a sample in a pixel. All are separable, f(x, y) = f(x) f(y), even, and 0 at and
-// past their radius. Offsets and radii are in pixels. Names, parameters and defaults are those of pbrt-v4 scene files.
+// past their radius. Offsets and radii are in pixels. Names and defaults are those of pbrt-v4 scene files where it has
+// the filter; core/named_value.h prints, parses and lists them. To add one, write its header and put it into Filter.
 
-#include <string_view>
 #include <variant>
+
+#include "core/named_value.h"
+#include "film/filter_blackman_harris.h"
+#include "film/filter_box.h"
+#include "film/filter_gaussian.h"
+#include "film/filter_mitchell.h"
+#include "film/filter_sinc.h"
+#include "film/filter_triangle.h"
 
 namespace emulsion {
 
-struct BoxFilter {
-    static constexpr std::string_view kName = "box";
-    float x_radius_px = 0.5f;  ///< half-width of the support; finite, > 0
-    float y_radius_px = 0.5f;  ///< half-height of the support; finite, > 0
-    bool operator==(const BoxFilter&) const = default;
-};
-
-/// The tent 1 - |x|/radius.
-struct TriangleFilter {
-    static constexpr std::string_view kName = "triangle";
-    float x_radius_px = 2.0f;  ///< finite, > 0
-    float y_radius_px = 2.0f;  ///< finite, > 0
-    bool operator==(const TriangleFilter&) const = default;
-};
-
-/// A Gaussian less its value at the radius, so that it ends at 0.
-struct GaussianFilter {
-    static constexpr std::string_view kName = "gaussian";
-    float x_radius_px = 1.5f;  ///< finite, > 0
-    float y_radius_px = 1.5f;  ///< finite, > 0
-    float sigma_px = 0.5f;     ///< standard deviation before the cut; finite, > 0
-    bool operator==(const GaussianFilter&) const = default;
-};
-
-/// Separable cubic k(2x/radius), with negative lobes.
-/// Source: Mitchell & Netravali, "Reconstruction Filters in Computer Graphics", SIGGRAPH 1988, eq. 8.
-struct MitchellFilter {
-    static constexpr std::string_view kName = "mitchell";
-    float x_radius_px = 2.0f;  ///< finite, > 0
-    float y_radius_px = 2.0f;  ///< finite, > 0
-    float b = 1.0f / 3.0f;     ///< blur; finite
-    float c = 1.0f / 3.0f;     ///< ringing; finite
-    bool operator==(const MitchellFilter&) const = default;
-};
-
-/// sinc(x) sinc(x / tau): a sinc under a Lanczos window. sinc(x) = sin(pi x)/(pi x), zeros at whole pixels.
-/// Source: Duchon, "Lanczos Filtering in One and Two Dimensions", J. Appl. Meteor. 18 (1979).
-struct LanczosSincFilter {
-    static constexpr std::string_view kName = "sinc";
-    float x_radius_px = 4.0f;  ///< finite, > 0
-    float y_radius_px = 4.0f;  ///< finite, > 0
-    float tau = 3.0f;          ///< where the window first reaches 0, in pixels; finite, > 0
-    bool operator==(const LanczosSincFilter&) const = default;
-};
-
-using Filter = std::variant<BoxFilter, TriangleFilter, GaussianFilter, MitchellFilter, LanczosSincFilter>;
+using Filter = std::variant<BoxFilter, TriangleFilter, GaussianFilter, MitchellFilter, CatmullRomFilter,
+                            LanczosSincFilter, BlackmanHarrisFilter>;
 
 /// The axis that a 1-D weight is asked for: x and y have radii of their own.
 enum class FilterAxis { x, y };
@@ -61,7 +25,12 @@ enum class FilterAxis { x, y };
 [[nodiscard]] double eval(const Filter& filter, FilterAxis axis, double offset_px) noexcept;
 [[nodiscard]] double radius_px(const Filter& filter, FilterAxis axis) noexcept;
 
-/// \throws std::invalid_argument naming the parameter that is out of range, its value and its range.
+/// The least part of the integral of |f| along an axis that the integral of f may be. Below it, samples of a pixel that
+/// are weighted to a mean of 1 would have weights of more than 1 / kMinIntegral = 1024 in the mean, of both signs.
+inline constexpr double kMinIntegral = 1.0 / 1024.0;
+
+/// \throws std::invalid_argument naming the parameter that is out of range, its value and its range; and if the filter
+/// cannot be normalised: its integral along an axis, taken coarsely, is below kMinIntegral, negative or nothing.
 void validate(const Filter& filter);
 
 }  // namespace emulsion

@@ -25,8 +25,7 @@ class FilterSampler {
   public:
     static constexpr int kCells = 512;
 
-    /// \throws std::invalid_argument as validate() does, and if the filter's integral along an axis is not positive:
-    /// it could not be normalised.
+    /// \throws std::invalid_argument as validate() does.
     explicit FilterSampler(const Filter& filter);
 
     /// u and v in [0, 1): two uniform numbers, for x and for y. Where a cubic through four of its points is f to 2e-6

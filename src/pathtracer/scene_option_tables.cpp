@@ -104,8 +104,14 @@ constexpr auto kRadii = std::to_array<ParameterSpec>({kXRadius, kYRadius});
 constexpr auto kGaussian = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "sigma", .range = positive}});
 constexpr auto kMitchell = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "B"}, {.name = "C"}});
 constexpr auto kSinc = std::to_array<ParameterSpec>({kXRadius, kYRadius, {.name = "tau", .range = positive}});
-constexpr auto kFilters = std::to_array<Implementation>(
-    {{"box", kRadii}, {"triangle", kRadii}, {"gaussian", kGaussian}, {"mitchell", kMitchell}, {"sinc", kSinc}});
+constexpr auto kFilters =
+    std::to_array<Implementation>({{"box", kRadii},
+                                   {"triangle", kRadii},
+                                   {"gaussian", kGaussian},
+                                   {"mitchell", kMitchell},
+                                   {"sinc", kSinc},
+                                   {"catmull-rom", kRadii},
+                                   {"blackman-harris", kRadii}});  // the last two are ours, and unknown to pbrt-v4
 constexpr ImplementationTable kFilterTable = {"pixel filter", kFilters};
 
 // --- Integrator

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "film/filter_sampler.h"
 #include "pathtracer/scene_transform.h"
 
 namespace emulsion {
@@ -65,6 +64,8 @@ Filter read_mitchell(const ParameterList& list) {
     filter.c = filter_number(list, "C", filter.c);
     return filter;
 }
+Filter read_catmull_rom(const ParameterList& list) { return with_radii(list, CatmullRomFilter{}); }
+Filter read_blackman_harris(const ParameterList& list) { return with_radii(list, BlackmanHarrisFilter{}); }
 Filter read_sinc(const ParameterList& list) {
     auto filter = with_radii(list, LanczosSincFilter{});
     filter.tau = filter_number(list, "tau", filter.tau);
@@ -79,6 +80,8 @@ constexpr auto kFilterReaders = std::to_array<FilterReader>({{BoxFilter::kName, 
                                                              {TriangleFilter::kName, read_triangle},
                                                              {GaussianFilter::kName, read_gaussian},
                                                              {MitchellFilter::kName, read_mitchell},
+                                                             {CatmullRomFilter::kName, read_catmull_rom},
+                                                             {BlackmanHarrisFilter::kName, read_blackman_harris},
                                                              {LanczosSincFilter::kName, read_sinc}});
 
 Sampler read_independent(const ParameterList& list) {
@@ -170,7 +173,7 @@ Filter read_filter(const ParameterList& list) {
     const Filter filter =
         supported_row<FilterReader>(list.place, {"pixel filter"}, list.owner, kFilterReaders).read(list);
     try {
-        static_cast<void>(FilterSampler(filter));  // which knows whether the filter can be normalised
+        validate(filter);
     } catch (const std::invalid_argument& error) {
         throw SceneError(list.place, fmt::format("a pixel filter that can't be normalised ({})", error.what()),
                          "one with a positive integral");

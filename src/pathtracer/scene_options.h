@@ -1,7 +1,7 @@
 #pragma once
 // What stands before WorldBegin: Camera, Film, Sampler, PixelFilter, Integrator. Names, defaults and meaning are those
 // of pbrt-v4, but for two defaults: the sampler is "paddedsobol" of 16 samples, and films are stored as 32-bit floats
-// unless "bool savefp16" true says otherwise.
+// unless "bool savefp16" true says otherwise. PixelFilter takes two filters more: "catmull-rom" and "blackman-harris".
 
 #include <Imath/ImathMatrix.h>
 

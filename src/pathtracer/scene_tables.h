@@ -1,7 +1,8 @@
 #pragma once
 // What scene files may say: for each kind of directive the implementations that pbrt-v4 has, and for those that we
 // support the parameters that pbrt-v4 has. To support one more, write it into its table and read it where its kind is
-// made. Source of names: the pbrt-v4 file format, https://pbrt.org/fileformat-v4.
+// made. What pbrt-v4 does not know is marked as ours. Source of names: the pbrt-v4 file format,
+// https://pbrt.org/fileformat-v4.
 
 #include <optional>
 #include <span>

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "film/filter_examples.h"
 #include "film/filter_sampler.h"
 #include "spectrum/observer.h"
 #include "spectrum/wavelength_sampling.h"
@@ -21,9 +22,9 @@
 namespace emulsion {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -126,8 +127,7 @@ TEST(Film, FewSamplesOfANegativeLobedFilterStayBounded) {
 }
 
 TEST(Film, ReconstructsAConstantUnderEveryFilter) {
-    for (const Filter& filter :
-         {Filter(BoxFilter{}), Filter(GaussianFilter{}), Filter(MitchellFilter{}), Filter(LanczosSincFilter{})}) {
+    for (const Filter& filter : emulsion::testing::example_filters()) {
         Film film(options(4, 4));
         const FilterSampler sampler(filter);
         FilmTile tile = film.make_tile(film.bounds());

@@ -87,6 +87,16 @@ TEST(SceneOptions, FiltersHaveTheParametersOfPbrt) {
     EXPECT_EQ(parse_options("PixelFilter \"mitchell\"").filter, Filter(MitchellFilter{}));
 }
 
+TEST(SceneOptions, TakesEveryFilterByItsNameAndWithItsDefaults) {
+    for_each_alternative<Filter>([]<class F>(const F& filter) {
+        const std::string directive = "PixelFilter \"" + std::string(F::kName) + '"';
+        EXPECT_EQ(parse_options(directive).filter, Filter(filter));
+        F wide = filter;
+        wide.x_radius_px = 5.5f;
+        EXPECT_EQ(parse_options(directive + R"( "float xradius" 5.5)").filter, Filter(wide));
+    });
+}
+
 TEST(SceneOptions, Integrator) {
     const Scene scene = parse_options(R"(Integrator "path" "integer maxdepth" 0 "string lightsampler" "bvh"
         "bool regularize" false)");
