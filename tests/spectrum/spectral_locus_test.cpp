@@ -111,6 +111,17 @@ TEST(SpectralLocus, RaysCrossWhereThePolygonIs) {
     EXPECT_NEAR(purple.point.y, violet.y + t * (red.y - violet.y), 1e-15);
 }
 
+// With a notch between 401 and 403 nm: from a white in the horn below 403 nm, a ray leaves, enters and leaves again.
+TEST(SpectralLocus, TheLastOfSeveralCrossingsCounts) {
+    const auto at = [](double x, double y) { return XYZd{x, y, 1.0 - x - y}; };
+    const Observer notched{"notched", 400, {at(0.15, 0.05), at(0.05, 0.4), at(0.2, 0.42), at(0.1, 0.8), at(0.7, 0.28)}};
+    const Chromaticity white{0.15, 0.7}, on_first_edge{0.09, 0.26};
+    const SpectralLocus::Crossing crossing = SpectralLocus(notched).crossing(white, on_first_edge);
+    EXPECT_EQ(crossing.line, Line::spectral);
+    EXPECT_NEAR(crossing.lambda_nm, 400.6, 1e-12);
+    EXPECT_NEAR(crossing.distance, 1.0, 1e-14);
+}
+
 TEST(SpectralLocus, RefusesRaysFromOutside) {
     const SpectralLocus& locus = cie_1931_spectral_locus();
     EXPECT_THAT(

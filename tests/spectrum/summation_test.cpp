@@ -68,17 +68,18 @@ TEST(Summation, IsTheNaiveOne) {
 
 TEST(Summation, OfRadianceIsAbsolute) {
     const Column y("cie_1931_2deg_xyz_1nm", "ybar"), light(kIlluminants, "D65");
-    long double by_5_nm = 0.0L, by_third = 0.0L;
+    long double by_5_nm = 0.0L, by_eleventh = 0.0L;
     for (int i = 0; i <= 94; ++i) by_5_nm += 5.0L * light.at(360 + 5 * i) * y.at(360 + 5 * i);
-    for (int i = 0; i <= 1200; ++i) by_third += light.at(380 + i / 3.0L) * y.at(380 + i / 3.0L) / 3.0L;
+    const long double eleventh = 400.0L / 11.0L;
+    for (int i = 0; i <= 11; ++i) by_eleventh += eleventh * light.at(380 + i * eleventh) * y.at(380 + i * eleventh);
     const Spectrum d65 = tabulated_spectrum(kIlluminants, "D65");
     EXPECT_NEAR(
         xyz_of_radiance_by_summation(d65, cie_1931_2deg(), 360.0, 830.0, 5.0).y / static_cast<double>(683.0L * by_5_nm),
         1.0, 1e-13);
-    // 780 nm is reached though 1/3 is no double.
-    EXPECT_NEAR(xyz_of_radiance_by_summation(d65, cie_1931_2deg(), 380.0, 780.0, 1.0 / 3.0).y /
-                    static_cast<double>(683.0L * by_third),
-                1.0, 1e-13);
+    // 780 nm is reached though 400/11 is no double, and 400 / (400/11) comes out below 11.
+    EXPECT_NEAR(xyz_of_radiance_by_summation(d65, cie_1931_2deg(), 380.0, 780.0, 400.0 / 11.0).y /
+                    static_cast<double>(683.0L * by_eleventh),
+                1.0, 1e-12);
     EXPECT_NEAR(xyz_of_radiance_by_summation(ConstantSpectrum{1.0}, cie_1931_2deg(), 360.0, 830.0).y,
                 683.0 * 106.856917, 683.0 * 5e-7);
 }
