@@ -41,11 +41,11 @@ std::string command_line_text(int argc, char** argv) {
 }
 
 /// A standard stream that was closed when the program started gives its number to the next file that is opened, and
-/// words would end up in that file. /dev/null takes the number instead; opened for reading, so that words are lost with
-/// an error as before.
+/// words would end up in that file. /dev/null takes the number instead; opened the wrong way round, so that reading and
+/// writing fail as before.
 void hold_standard_streams() {
     for (int i = 0; i < 3; ++i) {
-        if (::fcntl(i, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+        if (::fcntl(i, F_GETFD) < 0) ::open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
 }
 

@@ -44,6 +44,18 @@ std::optional<double> number_of(std::string_view cell) {
     return value;
 }
 
+/// Whether a first row names columns. What looks like a number, be it malformed, not finite or in quotes, is no name.
+bool are_names(std::span<const std::string_view> cells) {
+    return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
+        constexpr std::string_view kQuotes = "\"'", kNumberStarts = "+-.0123456789";
+        cell.remove_prefix(std::min(cell.find_first_not_of(kQuotes), cell.size()));
+        cell = cell.substr(0, cell.find_last_not_of(kQuotes) + 1);
+        if (cell.empty() || kNumberStarts.find(cell.front()) != std::string_view::npos) return false;
+        double ignored = 0.0;  // "nan" and "inf" are numbers, too, but "nanometres" is a name
+        return std::from_chars(cell.data(), cell.data() + cell.size(), ignored).ptr != cell.data() + cell.size();
+    });
+}
+
 std::string read_standard_input() {
     std::string text;
     char buffer[1 << 16];
@@ -62,6 +74,9 @@ NumberRows parse_number_rows(std::string_view text, std::string_view source,
     const auto fail = [&](const std::string& problem) {
         throw IoError(std::string(source), fmt::format("row {} (line {}): {}", row_number, line_number, problem));
     };
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets begin their CSV with it
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+
     bool is_first = true;
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
@@ -73,9 +88,7 @@ NumberRows parse_number_rows(std::string_view text, std::string_view source,
         const bool may_be_names = std::exchange(is_first, false);
         if (may_be_names && line.find(',') != std::string_view::npos) rows.separator = ',';
         const bool may_fit = columns.empty() || cells.size() == columns.size();
-        if (may_be_names && may_fit && std::none_of(cells.begin(), cells.end(), number_of)) {
-            continue;
-        }
+        if (may_be_names && may_fit && are_names(cells)) continue;
         ++row_number;
         if (rows.columns == 0) rows.columns = cells.size();
         if (cells.size() != rows.columns) {
@@ -104,13 +117,22 @@ std::string number_row_text(std::span<const double> row, char separator) {
     std::string text;
     for (const double value : row) {
         if (!text.empty()) text += separator;
-        text += fmt::format("{:.17g}", value);
+        text += std::isnan(value) ? "nan" : fmt::format("{:.17g}", value);  // whatever the sign bit of NaN
     }
     return text + '\n';
 }
 
 void print_rows(const NumberRows& rows) {
-    for (std::size_t i = 0; i < rows.size(); ++i) print_output(number_row_text(rows.row(i), rows.separator));
+    std::size_t lost = 0, first_lost = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto row = rows.row(i);
+        print_output(number_row_text(row, rows.separator));
+        if (std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); })) continue;
+        if (lost++ == 0) first_lost = i;
+    }
+    if (lost == 0) return;
+    print_warning(fmt::format("{} of {} rows came out with numbers that aren't finite, row {}{}", lost, rows.size(),
+                              first_lost + 1, lost == 1 ? "" : " first"));
 }
 
 }  // namespace emulsion::cli

@@ -1,7 +1,7 @@
 #pragma once
 // Rows of numbers, as the `emulsion color` commands read and write them: one row a line, cells separated by commas,
-// semicolons, blanks or tabs. Empty lines and lines that start with '#' are passed over; so is a first row none of
-// whose cells is a number, for it names the columns.
+// semicolons, blanks or tabs. Empty lines and lines that start with '#' are passed over; so is a first row of names:
+// none of its cells looks like a number, not even like a malformed one ("nan", "50%", "\"1\"").
 
 #include <cstddef>
 #include <filesystem>
@@ -38,7 +38,7 @@ struct NumberRows {
 /// "0.20000000000000001 1 2.5\n": 17 digits, which every double survives.
 [[nodiscard]] std::string number_row_text(std::span<const double> row, char separator);
 
-/// All rows, to standard output.
+/// All rows, to standard output. Warns if numbers aren't finite, as colours outside a system's domain have it.
 void print_rows(const NumberRows& rows);
 
 }  // namespace emulsion::cli

@@ -41,8 +41,29 @@ TEST(NumberRows, TakesCommasSemicolonsBlanksAndTabs) {
 
 TEST(NumberRows, PassesOverCommentsAndOneLineOfNames) {
     EXPECT_THAT(parse("# CIELAB\nL,a,b\n#\n1,2,3\n").values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(parse("\"L*\",\"a*\",\"b*\"\n1,2,3\n").values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(parse("nanometres,info,nano\n1,2,3\n").values, ElementsAre(1, 2, 3));
     EXPECT_EQ(problem_of("L,a,b\nL,a,b\n"),
               "colours.csv: row 1 (line 2): found \"L\" for L*, expected a finite number");
+}
+
+TEST(NumberRows, DoesNotTakeAMalformedFirstRowForNames) {
+    for (const char* cell : {"nan", "-inf", "infinity", "1e999", "50%", "\"1\"", "'.5", "+x", "1.0f", "\"\""}) {
+        const std::string row = std::string(cell) + "," + cell + "," + cell + "\n";
+        EXPECT_EQ(problem_of(row + "1,2,3\n"),
+                  "colours.csv: row 1 (line 1): found \"" + std::string(cell) + "\" for L*, expected a finite number");
+    }
+}
+
+TEST(NumberRows, PassesOverAByteOrderMark) {
+    EXPECT_THAT(parse("\xef\xbb\xbf"
+                      "1,2,3\r\n")
+                    .values,
+                ElementsAre(1, 2, 3));
+    EXPECT_THAT(parse("\xef\xbb\xbf"
+                      "L,a,b\r\n1,2,3\r\n")
+                    .values,
+                ElementsAre(1, 2, 3));
 }
 
 TEST(NumberRows, WritesWithTheSeparatorOfTheFirstRow) {
@@ -77,6 +98,9 @@ TEST(NumberRows, EveryDoubleSurvivesThePrinting) {
     EXPECT_THAT(parse(number_row_text(row, ',')).values, ElementsAre(row[0], row[1], row[2]));
     EXPECT_EQ(number_row_text(row, ' ').substr(0, 20), "0.10000000000000001 ");
     EXPECT_EQ(number_row_text(std::array{1.0, 2.0}, ','), "1,2\n");
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(number_row_text(std::array{kNan, -kNan, -std::numeric_limits<double>::infinity()}, ' '),
+              "nan nan -inf\n");
 }
 
 }  // namespace
