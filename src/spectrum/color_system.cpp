@@ -1,5 +1,6 @@
 #include "spectrum/color_system.h"
 
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,40 @@
 #include "core/visit.h"
 
 namespace emulsion {
+
+namespace {
+
+template <class T, class... Ts>
+concept AnyOf = (std::same_as<T, Ts> || ...);
+
+template <class T>
+concept DefinedForD65 = AnyOf<T, OklabSystem, OklchSystem, IptSystem, IctcpSystem>;
+
+template <class T>
+concept MadeOfRgb = YcbcrSystem<T> || AnyOf<T, LinearRgbSystem, OpponentSystem, EncodedRgbSystem, HsvSystem, HslSystem,
+                                            CmySystem, CmykSystem, YuvSystem, YiqSystem>;
+
+template <class System>
+XYZd white_of(const System& /*system*/, const ColorContext& context) noexcept {
+    return context.white();
+}
+template <DefinedForD65 System>
+XYZd white_of(const System& /*system*/, const ColorContext& /*context*/) noexcept {
+    return xyz_of(Chromaticity{0.3127, 0.329});
+}
+template <MadeOfRgb System>
+XYZd white_of(const System& /*system*/, const ColorContext& context) noexcept {
+    return xyz_of(context.rgb().white);  // which throws nothing: the context has its matrix
+}
+XYZd white_of(const NormalisedRgbSystem& /*system*/, const ColorContext& /*context*/) noexcept {
+    return {1.0, 1.0, 1.0};
+}
+
+}  // namespace
+
+XYZd white_of(const ColorSystem& system, const ColorContext& context) noexcept {
+    return visit_noexcept([&](const auto& chosen) noexcept { return white_of(chosen, context); }, system);
+}
 
 std::span<const ColorComponent> components_of(const ColorSystem& system) noexcept {
     return visit_noexcept(

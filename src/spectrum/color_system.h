@@ -45,6 +45,11 @@ using ColorSystem = std::variant<XyzSystem, XyySystem, LabSystem, LchAbSystem, L
                                  YuvSystem, YiqSystem, YcbcrBt601System, YcbcrBt601NarrowSystem, YcbcrBt709System,
                                  YcbcrBt709NarrowSystem, YcbcrBt2020System, YcbcrBt2020NarrowSystem>;
 
+/// The white under which the colours of a system are seen: the white of the RGB space for RGB and what is made of it,
+/// D65 (x 0.3127, y 0.329) for those defined for it, (1, 1, 1) for normalised RGB, that of the context for all others.
+/// Y = 1. What adapts on the way from one system to another adapts between these.
+[[nodiscard]] XYZd white_of(const ColorSystem& system, const ColorContext& context) noexcept;
+
 /// Three components, or four.
 [[nodiscard]] std::span<const ColorComponent> components_of(const ColorSystem& system) noexcept;
 

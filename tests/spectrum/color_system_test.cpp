@@ -115,6 +115,38 @@ TEST_P(EveryColorSystem, KeepsNan) {
     }
 }
 
+/// What makes a new system that is in the wrong class fail: its numbers depend on what its white depends on, and on
+/// nothing else. XYZ and cones depend on neither, and xyY only for black.
+TEST_P(EveryColorSystem, HasTheWhiteThatItsNumbersAreRelativeTo) {
+    const XYZd white_a = {1.0985, 1.0, 0.3558}, color = {0.3, 0.4, 0.5};
+    const ColorContext d65, a(rgb_space("sRGB"), SrgbTransfer{}, white_a);
+    const ColorContext dci(rgb_space("DCI_P3"), SrgbTransfer{}, d65.white());
+    const bool follows_rgb = distance(white_of(GetParam(), dci), white_of(GetParam(), d65)) > 1e-3;
+    EXPECT_EQ(follows_rgb, from_xyz(GetParam(), color, dci) != from_xyz(GetParam(), color, d65));
+    if (from_xyz(GetParam(), color, a) != from_xyz(GetParam(), color, d65)) {
+        EXPECT_EQ(white_of(GetParam(), a), white_a);
+    }
+    EXPECT_NEAR(white_of(GetParam(), a).y, 1.0, 1e-15);
+}
+
+/// In the systems that have an achromatic axis the white is on it: Oklab's and IPT's matrices have four decimals or a
+/// slightly other D65, the others are exact.
+TEST(ColorSystem, WhitesAreGreyInTheirSystems) {
+    const ColorContext context(rgb_space("DCI_P3"), SrgbTransfer{}, {1.0985, 1.0, 0.3558});
+    const auto chroma = [&](const ColorSystem& system) {
+        const ColorValues grey = from_xyz(system, white_of(system, context), context);
+        return std::hypot(grey.value[1], grey.value[2]);
+    };
+    for (const ColorSystem& exact :
+         std::vector<ColorSystem>{LabSystem{}, LuvSystem{}, YuvSystem{}, YiqSystem{}, IctcpSystem{}}) {
+        EXPECT_LT(chroma(exact), 1e-13) << to_text(exact);
+    }
+    EXPECT_LT(chroma(OklabSystem{}), 2e-4);
+    EXPECT_LT(chroma(IptSystem{}), 2e-4);
+    EXPECT_NEAR(from_xyz(NormalisedRgbSystem{}, white_of(NormalisedRgbSystem{}, context), context).value[0], 1.0,
+                1e-14);
+}
+
 TEST_P(EveryColorSystem, HasAsManyValuesAsComponents) {
     const ColorContext context;
     ColorValues color = from_xyz(GetParam(), {0.3, 0.4, 0.5}, context);
