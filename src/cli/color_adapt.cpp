@@ -1,5 +1,6 @@
 // `emulsion color adapt`: XYZ under one white to XYZ that looks the same under another.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "cli/color_tasks.h"
 #include "cli/named_option.h"
 #include "cli/number_rows.h"
+#include "core/parameters.h"
 #include "spectrum/chromatic_adaptation.h"
 
 namespace emulsion::cli {
@@ -45,8 +47,16 @@ ColorTask add_color_adapt(CLI::App& color) {
     add_white_option(command, "--from", options->from, "White that the rows are seen under [required]")->required();
     add_white_option(command, "--to", options->to, "White to adapt to [required]")->required();
     add_named_option(command, "--method", "adaptation", options->method, "Chromatic adaptation");
-    command.add_option("--degree", options->degree, "Degree of adaptation, 0 to 1 [default: 1]")
-        ->check(CLI::Range(0.0, 1.0))
+    command
+        .add_option_function<std::string>(
+            "--degree",
+            [options](const std::string& text) {
+                parse_for("--degree", [&] {
+                    parse_number(text, "degree", options->degree);
+                    check_range(options->degree, {0.0, 1.0}, "degree");
+                });
+            },
+            "Degree of adaptation, 0 to 1 [default: 1]")
         ->option_text("D");
     return {&command, [options] { adapt(*options); }};
 }

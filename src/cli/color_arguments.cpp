@@ -1,5 +1,7 @@
 #include "cli/color_arguments.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cli/named_option.h"
@@ -16,6 +18,11 @@ std::optional<RgbSpace> find_rgb_space(std::string_view text) {
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }
+}
+
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
 }  // namespace
@@ -45,10 +52,11 @@ Chromaticity parse_white(std::string_view text, const Observer& observer) {
     const std::size_t comma = text.find(',');
     if (comma == std::string_view::npos) return chromaticity_of(xyz_of_radiance(parse_illuminant(text), observer));
     Chromaticity white;
-    parse_number(text.substr(0, comma), "white x", white.x);
-    parse_number(text.substr(comma + 1), "white y", white.y);
-    static_cast<void>(xyz_of(white));  // which refuses what has no luminance
-    return white;
+    parse_number(trimmed(text.substr(0, comma)), "white x", white.x);
+    parse_number(trimmed(text.substr(comma + 1)), "white y", white.y);
+    const XYZd xyz = xyz_of(white);  // which refuses what has no luminance
+    if (xyz.x > 0.0 && xyz.z > 0.0) return white;
+    throw std::invalid_argument(fmt::format("white ({}, {}): expected x > 0, y > 0 and x + y < 1", white.x, white.y));
 }
 
 ColorContext ContextArguments::context(const SpaceArgument& space, const SpaceArgument& reference) const {
@@ -69,7 +77,7 @@ void add_context_options(CLI::App& command, ContextArguments& arguments) {
             "RGB space of rgb, encoded-rgb and the systems made of it [default: " + arguments.rgb_space + "]")
         ->option_text("NAME");
     add_white_option(command, "--white", arguments.white,
-                     "White, whose Y is 1: of CIELAB and the like [default: that of the RGB space]");
+                     "White of CIELAB and the like [default: that of the RGB space]");
     add_named_option(command, "--transfer", "transfer", arguments.transfer, "Transfer function of encoded RGB");
 }
 

@@ -85,7 +85,7 @@ const std::vector<Section>& sections() {
         {"spaces", "Colour systems, for SPACE", print_systems},
         {"rgb-spaces", "RGB spaces, for --rgb-space, and for SPACE: linear RGB", print_rgb_spaces},
         {"transfers", "Transfer functions, for --transfer", print_variant<TransferFunction>},
-        {"adaptations", "Chromatic adaptations, for --method of adapt", print_variant<ChromaticAdaptation>},
+        {"adaptations", "Chromatic adaptations, for --adapt, and for --method of adapt", print_variant<ChromaticAdaptation>},
         {"differences", "Colour differences, for --method of difference", print_variant<DifferenceMethod>},
         {"observers", "Standard observers, for --observer", print_observers},
     };
@@ -130,7 +130,7 @@ ColorTask add_color_list(CLI::App& color) {
     command
         .add_option("SECTION", *section,
                     fmt::format("Only this part, one of {} [default: all]", fmt::join(section_names(), ", ")))
-        ->check(CLI::IsMember(section_names()))
+        ->transform(CLI::IsMember(section_names(), CLI::ignore_case))
         ->option_text(" ");
     return {&command, [section] { print_list(*section); }};
 }

@@ -10,10 +10,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/color_arguments.h"
 #include "cli/color_tasks.h"
+#include "cli/json_text.h"
 #include "cli/messages.h"
 #include "cli/number_rows.h"
 #include "core/error.h"
@@ -47,14 +47,14 @@ struct Description {
     XYZd xyz;  ///< relative under the illuminant, or of a light: Y in cd/m^2
     Chromaticity chromaticity, white;
     Uv1976 uv;
-    Lab lab;  ///< of a light: scaled to the white's Y
-    Luv luv;
-    DominantWavelength dominant;
+    std::optional<Lab> lab;  ///< of a light: scaled to the white's Y, if its own is > 0
+    std::optional<Luv> luv;
+    std::optional<DominantWavelength> dominant;             ///< where Y > 0
     std::optional<CorrelatedColorTemperature> temperature;  ///< within kLargestDuv of the blackbodies
-    std::optional<double> color_rendering;                  ///< Ra of a light, where it has one
+    std::optional<double> color_rendering;                  ///< Ra of a light that has a temperature
 };
 
-PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path) {
+PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path, const Observer& by) {
     constexpr std::array<std::string_view, 2> kColumns = {"wavelength (nm)", "value"};
     const NumberRows rows = read_number_rows(path, kColumns);
     PiecewiseLinearSpectrum spectrum;
@@ -67,7 +67,15 @@ PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path) {
         spectrum.lambda_nm.push_back(lambda_nm);
         spectrum.value.push_back(rows.row(i)[1]);
     }
-    if (rows.size() == 0) throw IoError(path, "has no rows, expected wavelength (nm) and value in each");
+    if (rows.size() < 2) {
+        throw IoError(path, fmt::format("has {} row{}, expected two or more with wavelength (nm) and value in each",
+                                        rows.size(), rows.size() == 1 ? "" : "s"));
+    }
+    const double first_nm = spectrum.lambda_nm.front(), last_nm = spectrum.lambda_nm.back();
+    if (last_nm <= by.first_nm || first_nm >= by.last_nm()) {
+        throw IoError(path, fmt::format("has wavelengths from {} to {}, expected nanometres, some of them in {}-{}",
+                                        first_nm, last_nm, by.first_nm, by.last_nm()));
+    }
     return spectrum;
 }
 
@@ -94,14 +102,14 @@ Subject find_subject(const Options& options) {
             throw std::invalid_argument(fmt::format("no such file, and {}", error.what()));
         }
     }
-    return {options.spectrum, read_spectrum_file(options.spectrum), options.illuminant};
+    return {options.spectrum, read_spectrum_file(options.spectrum, observer(options.observer)), options.illuminant};
 }
 
 std::optional<double> color_rendering_of(const Spectrum& light) {
     try {
         return color_rendering(light).general_index;
     } catch (const std::invalid_argument&) {
-        return std::nullopt;  // a light without a colour temperature has none
+        return std::nullopt;  // of a temperature that has no reference
     }
 }
 
@@ -113,15 +121,18 @@ Description describe(const Subject& subject, const Options& options) {
     d.white = parse_white(options.white.value_or(subject.illuminant.value_or("D65")), by);
     d.chromaticity = chromaticity_of(d.xyz);
     d.uv = uv_1976_of(d.xyz);
-    const XYZd white = xyz_of(d.white);
-    const XYZd relative = subject.illuminant ? d.xyz : (1.0 / d.xyz.y) * d.xyz;
-    d.lab = lab_from_xyz(relative, white);
-    d.luv = luv_from_xyz(relative, white);
-    if (!std::isfinite(d.chromaticity.x)) return d;
+    const bool has_colour = d.xyz.y > 0.0;
+    if (subject.illuminant || has_colour) {
+        const XYZd white = xyz_of(d.white);
+        const XYZd relative = subject.illuminant ? d.xyz : (1.0 / d.xyz.y) * d.xyz;
+        d.lab = lab_from_xyz(relative, white);
+        d.luv = luv_from_xyz(relative, white);
+    }
+    if (!has_colour) return d;
     d.dominant = dominant_wavelength(d.chromaticity, d.white, SpectralLocus(by));
     d.temperature = PlanckianLocus(by).nearest(uv_1960_of(d.chromaticity));
     if (d.temperature && std::abs(d.temperature->duv) > kLargestDuv) d.temperature.reset();
-    if (!subject.illuminant) d.color_rendering = color_rendering_of(subject.spectrum);
+    if (!subject.illuminant && d.temperature) d.color_rendering = color_rendering_of(subject.spectrum);
     return d;
 }
 
@@ -135,7 +146,7 @@ struct Statement {
 std::vector<Statement> statements(const Subject& subject, const Options& options, const Description& d) {
     using Numbers = std::vector<double>;
     const auto wavelength = [&](DominantWavelength::Kind kind) {
-        return d.dominant.kind == kind ? Numbers{d.dominant.lambda_nm} : Numbers{};
+        return d.dominant && d.dominant->kind == kind ? Numbers{d.dominant->lambda_nm} : Numbers{};
     };
     const bool is_light = !subject.illuminant;
     std::vector<Statement> all = {
@@ -147,11 +158,13 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
         {is_light ? "X Y Z (Y in cd/m^2)" : "X Y Z", "XYZ", "", {d.xyz.x, d.xyz.y, d.xyz.z}},
         {is_light ? "x y Y (Y in cd/m^2)" : "x y Y", "xyY", "", {d.chromaticity.x, d.chromaticity.y, d.xyz.y}},
         {"u' v'", "uv_1976", "", {d.uv.u, d.uv.v}},
-        {is_light ? "L* a* b* (at Y = 1)" : "L* a* b*", "Lab", "", {d.lab.l, d.lab.a, d.lab.b}},
-        {is_light ? "L* u* v* (at Y = 1)" : "L* u* v*", "Luv", "", {d.luv.l, d.luv.u, d.luv.v}},
+        {is_light ? "L* a* b* (at Y = 1)" : "L* a* b*", "Lab", "",
+         d.lab ? Numbers{d.lab->l, d.lab->a, d.lab->b} : Numbers{}},
+        {is_light ? "L* u* v* (at Y = 1)" : "L* u* v*", "Luv", "",
+         d.luv ? Numbers{d.luv->l, d.luv->u, d.luv->v} : Numbers{}},
         {"dominant wavelength, nm", "dominant_wavelength_nm", "", wavelength(DominantWavelength::Kind::dominant)},
         {"complementary, nm", "complementary_wavelength_nm", "", wavelength(DominantWavelength::Kind::complementary)},
-        {"excitation purity", "excitation_purity", "", {d.dominant.excitation_purity}},
+        {"excitation purity", "excitation_purity", "", d.dominant ? Numbers{d.dominant->excitation_purity} : Numbers{}},
         {"colour temperature, K", "cct_K", "", d.temperature ? Numbers{d.temperature->temperature_K} : Numbers{}},
         {"Duv", "duv", "", d.temperature ? Numbers{d.temperature->duv} : Numbers{}},
         {"luminance, cd/m^2", "luminance_cdm2", "", is_light ? Numbers{d.xyz.y} : Numbers{}},
@@ -162,23 +175,14 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
 
 void print_text(const std::vector<Statement>& statements) {
     for (const Statement& statement : statements) {
-        const std::string value = fmt::format("{}{:.17g}", statement.words, fmt::join(statement.numbers, " "));
+        std::string value = statement.words;
+        for (const double number : statement.numbers) {
+            if (!value.empty()) value += ' ';
+            value += std::isfinite(number) ? fmt::format("{:.17g}", number) : "none";
+        }
         print_output(fmt::format("{:<25}{}\n", statement.label, value.empty() ? "none" : value));
     }
 }
-
-/// In double quotes, with what JSON asks to be escaped.
-std::string json_text(std::string_view words) {
-    std::string text = "\"";
-    for (const char c : words) {
-        if (c == '"' || c == '\\') text += '\\';
-        text +=
-            static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
-    }
-    return text + '"';
-}
-
-std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
 
 std::string json_value(const Statement& statement) {
     if (!statement.words.empty()) return json_text(statement.words);
@@ -198,6 +202,16 @@ void print_json(const std::vector<Statement>& statements) {
     print_output("\n}\n");
 }
 
+/// Adds a flag whose text `parse` keeps; the std::invalid_argument that it throws becomes bad usage.
+template <class Parse>
+void add_checked_name(CLI::App& command, const std::string& flag, const std::string& help, const std::string& shape,
+                      const Parse& parse) {
+    command
+        .add_option_function<std::string>(
+            flag, [flag, parse](const std::string& text) { parse_for(flag, [&] { parse(text); }); }, help)
+        ->option_text(shape);
+}
+
 }  // namespace
 
 ColorTask add_color_spectrum(CLI::App& color) {
@@ -209,13 +223,25 @@ ColorTask add_color_spectrum(CLI::App& color) {
                     "if there is an --illuminant, else a light")
         ->required()
         ->option_text(" ");
-    command.add_option("--illuminant", options->illuminant, "Light that a reflectance is seen under [default: D65]")
-        ->option_text("NAME");
-    command.add_option("--observer", options->observer, "Standard observer [default: " + options->observer + "]")
-        ->option_text("NAME");
-    command.add_option("--white", options->white, "White of CIELAB, CIELUV and purity [default: the illuminant]")
-        ->option_text("NAME|x,y");
+    add_checked_name(command, "--illuminant", "Light that a reflectance is seen under [default: D65]", "NAME",
+                     [options](const std::string& text) {
+                         static_cast<void>(parse_illuminant(text));
+                         options->illuminant = text;
+                     });
+    add_checked_name(command, "--observer", "Standard observer [default: " + options->observer + "]", "NAME",
+                     [options](const std::string& text) {
+                         static_cast<void>(observer(text));
+                         options->observer = text;
+                     });
+    add_checked_name(command, "--white", "White of CIELAB, CIELUV and purity [default: the illuminant; of a light D65]",
+                     "NAME|x,y", [options](const std::string& text) {
+                         static_cast<void>(parse_white(text));
+                         options->white = text;
+                     });
     command.add_flag("--json", options->json, "As one JSON object [default: text]");
+    command.footer(
+        "Between the rows of a file are straight lines, outside them 0. A light is taken as W m^-2 sr^-1 nm^-1, also\n"
+        "where its table is relative, like those of the CIE's illuminants: then its luminance means nothing.");
     return {&command, [options] {
                 const Subject subject = find_subject(*options);
                 const Description description = describe(subject, *options);

@@ -74,6 +74,34 @@ TEST_F(ColorProgram, ConvertsRows) {
                 Pointwise(DoubleNear(1e-12), {0.5, 1.0, 0.5}));
 }
 
+/// White stays grey when its system's white is adapted to, whatever the two are; without, nothing is adapted.
+TEST_F(ColorProgram, AdaptsOnTheWayIfAsked) {
+    EXPECT_THAT(numbers({"convert", "--from", "encoded-rgb", "--to", "lab", "--white", "D50", "--adapt", "bradford"},
+                        "1 1 1\n"),
+                Pointwise(DoubleNear(1e-12), {100.0, 0.0, 0.0}));
+    EXPECT_THAT(
+        numbers({"convert", "--from", "lab", "--to", "acescg-ap1", "--white", "A", "--adapt", "cat16"}, "100 0 0\n"),
+        Pointwise(DoubleNear(1e-12), {1.0, 1.0, 1.0}));
+    EXPECT_THAT(numbers({"convert", "--from", "dci-p3", "--to", "ictcp", "--adapt", "cat02"}, "1 1 1\n"),
+                Pointwise(DoubleNear(1e-5), {0.58069, 0.0, 0.0}));  // PQ of 203 cd/m^2 (ITU-R BT.2408)
+    EXPECT_THAT(numbers({"convert", "--from", "srgb", "--to", "xyz", "--white", "D50"}, "1 1 1\n"),
+                Pointwise(DoubleNear(1e-10), {0.9504559271, 1.0, 1.0890577508}));  // 0.3127 0.329
+    EXPECT_EQ(color({"convert", "--from", "srgb", "--to", "xyz", "--adapt", "cat17"}).exit_code, 2);
+}
+
+TEST_F(ColorProgram, WarnsOfWhatHasNoNumbersInTheSystem) {
+    const ProgramResult result = run({"convert", "--from", "xyz", "--to", "xyy"}, "1 1 1\n1 0 -1\n0 0 0\n2 0 -2\n");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "emulsion: warning: 2 of 4 rows came out with numbers that aren't finite, row 2 first\n");
+}
+
+TEST_F(ColorProgram, AStandardInputThatIsClosedIsNoEmptyOne) {
+    const ProgramResult result =
+        run_program({"color", "convert", "--from", "xyz", "--to", "lab"}, {.before = [] { ::close(STDIN_FILENO); }});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, StartsWith("emulsion: error: standard input: reading failed: "));
+}
+
 TEST_F(ColorProgram, RowsSurviveTheWayThereAndBack) {
     const std::string rows = "0.10000000000000001 0.20000000000000001 0.69999999999999996\n";
     const ProgramResult there = run({"convert", "--from", "rec2020", "--to", "oklab"}, rows);
@@ -153,6 +181,11 @@ TEST_F(ColorProgram, PrintsMatrices) {
         numbers_in(color({"matrix", "--from", "sRGB", "--to", "DCI-P3", "--adapt", "bradford"}).out);
     ASSERT_EQ(m.size(), 9u);
     for (std::size_t row = 0; row < 3; ++row) EXPECT_NEAR(m[3 * row] + m[3 * row + 1] + m[3 * row + 2], 1.0, 1e-12);
+    // That of ICC profiles: Lindbloom's sRGB for D50, whose whites have five digits of XYZ.
+    EXPECT_THAT(
+        numbers_in(color({"matrix", "--from", "sRGB", "--to", "XYZ", "--white", "D50", "--adapt", "bradford"}).out),
+        Pointwise(DoubleNear(1e-4),
+                  {0.4360747, 0.3850649, 0.1430804, 0.2225045, 0.7168786, 0.0606169, 0.0139322, 0.0971045, 0.7141733}));
     const ProgramResult none = color({"matrix", "--from", "sRGB", "--to", "lab"});
     EXPECT_EQ(none.exit_code, 1);
     EXPECT_THAT(none.err, HasSubstr("is not linear"));
@@ -183,6 +216,30 @@ TEST_F(ColorProgram, DescribesFiles) {
     EXPECT_THAT(wrong.err, HasSubstr("row 2: found wavelength 400, expected more than the 400 before it"));
 }
 
+/// A sum of no light, of too few rows, and of wavelengths in micrometres.
+TEST_F(ColorProgram, SaysNothingOfWhatASpectrumHasNot) {
+    const ProgramResult black = run({"spectrum", "--json"}, "400 0\n700 0\n");
+    EXPECT_EQ(black.exit_code, 0) << black.err;
+    EXPECT_THAT(black.out,
+                AllOf(HasSubstr("\"XYZ\": [0, 0, 0]"), HasSubstr("\"xyY\": [null, null, 0]"),
+                      HasSubstr("\"Lab\": null"), HasSubstr("\"excitation_purity\": null"), HasSubstr("\"Ra\": null")));
+    EXPECT_THAT(run({"spectrum"}, "400 0\n700 0\n").out, HasSubstr("x y Y (Y in cd/m^2)      none none 0\n"));
+    EXPECT_THAT(run({"spectrum", "--illuminant", "A", "--json"}, "400 0\n700 0\n").out,
+                AllOf(HasSubstr("\"Lab\": [0, 0, 0]"), HasSubstr("\"excitation_purity\": null")));
+    // Less light than none has no hue and no temperature.
+    EXPECT_THAT(run({"spectrum", "--json"}, "400 -1\n700 -2\n").out,
+                AllOf(HasSubstr("\"Lab\": null"), HasSubstr("\"cct_K\": null"), HasSubstr("\"Ra\": null")));
+    // A green line is far from every blackbody, and the index is made for lights near them.
+    EXPECT_THAT(run({"spectrum", "--json"}, "550 1\n551 1\n").out,
+                AllOf(HasSubstr("\"cct_K\": null"), HasSubstr("\"Ra\": null")));
+    const ProgramResult one = run({"spectrum"}, "555 1\n");
+    EXPECT_EQ(one.exit_code, 1);
+    EXPECT_THAT(one.err, HasSubstr("has 1 row, expected two or more"));
+    const ProgramResult micrometres = run({"spectrum"}, "0.4 1\n0.7 1\n");
+    EXPECT_EQ(micrometres.exit_code, 1);
+    EXPECT_THAT(micrometres.err, HasSubstr("expected nanometres, some of them in 360-830"));
+}
+
 TEST_F(ColorProgram, ListsEveryName) {
     const ProgramResult all = color({"list"});
     EXPECT_EQ(all.exit_code, 0);
@@ -190,7 +247,7 @@ TEST_F(ColorProgram, ListsEveryName) {
                              "glass-N_BK7", "colorchecker-dark-skin", "metal-CuZn-k", "ciede2000", "itp"}) {
         EXPECT_THAT(all.out, HasSubstr(name));
     }
-    const ProgramResult some = color({"list", "transfers"});
+    const ProgramResult some = color({"list", "Transfers"});
     EXPECT_THAT(some.out, AllOf(HasSubstr("srgb"), ::testing::Not(HasSubstr("oklab"))));
 }
 
@@ -202,6 +259,14 @@ TEST_F(ColorProgram, UnknownNamesAreBadUsageOrErrorsThatSayWhatIsLikeThem) {
     EXPECT_EQ(color({"difference", "--method", "ciede2001"}).exit_code, 2);
     EXPECT_EQ(color({"convert", "--from", "xyz"}).exit_code, 2);
     EXPECT_EQ(color({"list", "nothing"}).exit_code, 2);
+    EXPECT_EQ(color({"adapt", "--from", "D65", "--to", "A", "--degree", "nan"}).exit_code, 2);
+    EXPECT_EQ(color({"adapt", "--from", "D65", "--to", "A", "--degree", "1.1"}).exit_code, 2);
+    for (const char* white : {"0,0", "0.9,0.9", "-0.1,0.5", "nan,0.3", "0.3", "0.3,0.3,0.3", "", "colorchecker-red"}) {
+        EXPECT_EQ(color({"convert", "--from", "xyz", "--to", "lab", "--white", white}).exit_code, 2) << white;
+        EXPECT_EQ(color({"spectrum", "D65", "--white", white}).exit_code, 2) << white;
+    }
+    EXPECT_EQ(color({"spectrum", "colorchecker-red", "--illuminant", "D66"}).exit_code, 2);
+    EXPECT_EQ(color({"spectrum", "colorchecker-red", "--observer", "mine"}).exit_code, 2);
     EXPECT_EQ(color({}).exit_code, 2);
     const ProgramResult spectrum = color({"spectrum", "colourchecker-red"});
     EXPECT_EQ(spectrum.exit_code, 1);
