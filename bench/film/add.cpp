@@ -94,7 +94,7 @@ bool same_sums(const FilmTile& tile, const std::vector<PlainPixel>& plain) {
     return tile.dropped().count() == 0;
 }
 
-const FilmOptions kOptions{kTile_px, kTile_px, 1.0};
+const FilmOptions kOptions{kTile_px, kTile_px, {}};
 
 void plain_double4(benchmark::State& state) {
     const Samples& all = samples();

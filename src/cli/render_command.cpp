@@ -210,6 +210,7 @@ int RenderCommand::run(const std::string& command_line) const {
 
     // Until the last file is written, Ctrl-C leaves no half of it behind.
     Film film(film_options(scene));
+    exr_options.white_luminance_cdm2 = white_luminance_cdm2(film.options().sensor);
     const PreparedScene prepared(std::move(scene), options.threads);
     RenderProgress progress;
     const StopSignals stop_signals(progress.stop);

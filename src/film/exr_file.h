@@ -1,9 +1,11 @@
 #pragma once
 // Film files: scene-referred pictures in OpenEXR, with what made them in the header.
 //
-// Values are absolute. The header's whiteLuminance is 1: XYZ with Y = 1, or RGB (1, 1, 1), is 1 cd/m^2. Chromaticities
-// are those of the three channels: (1, 0), (0, 1), (0, 0) with white (1/3, 1/3) for X Y Z; those of Rec. 709 with D65
-// for R G B.
+// Values are absolute: the header's whiteLuminance is the luminance in cd/m^2 that XYZ with Y = 1, or RGB (1, 1, 1),
+// stands for. A film with an imaging ratio (exposure time * ISO / 100) stores luminance times that ratio, and a
+// whiteLuminance of 1 / ratio; so exposure changes the numbers in the file, and reading gives the same cd/m^2.
+// Chromaticities are those of the three channels: (1, 0), (0, 1), (0, 0) with white (1/3, 1/3) for X Y Z; those of
+// Rec. 709 with D65 for R G B.
 
 #include <cstdint>
 #include <filesystem>
@@ -37,6 +39,9 @@ struct ExrOptions {
     ExrColor color = ExrColor::xyz;
     PixelType pixel_type = PixelType::float32;
     ExrCompression compression = ExrCompression::zip;
+    /// What Y = 1 of the XYZ handed over stands for: white_luminance_cdm2(SensorOptions) for pictures of a film.
+    /// "whiteLuminance", in single precision; in [1e-30, 1e30].
+    double white_luminance_cdm2 = 1.0;
     bool operator==(const ExrOptions&) const = default;
 };
 
@@ -47,23 +52,24 @@ struct ExrWriteResult {
     bool operator==(const ExrWriteResult&) const = default;
 };
 
-/// Writes XYZ (Y in cd/m^2). The file appears whole or not at all.
+/// Writes XYZ (Y in units of options.white_luminance_cdm2), as it is. The file appears whole or not at all.
 /// \throws IoError if it cannot be written, to the last byte; a file of that name is then left as it was.
-/// \throws std::invalid_argument for an image without pixels.
+/// \throws std::invalid_argument for an image without pixels, and for a white luminance out of its range.
 ExrWriteResult write_exr(const std::filesystem::path& path, const Image<XYZ>& xyz, const FilmMetadata& metadata,
                          const ExrOptions& options = {});
 
 /// The image that read_exr() would give back from a file written with these options, bit for bit: for going on with the
-/// picture as if it had been written and read.
-/// \throws std::invalid_argument for an image without pixels.
+/// picture as if it had been written and read. Y in cd/m^2.
+/// \throws std::invalid_argument as write_exr.
 [[nodiscard]] Image<XYZ> as_stored(const Image<XYZ>& xyz, const ExrOptions& options);
 
 /// A picture that was read.
 struct FilmImage {
-    Image<XYZ> xyz;                  ///< the data window; Y in cd/m^2
-    FilmMetadata metadata;           ///< a field that the file does not have keeps its default
-    PixelBounds data_window;         ///< as in the file
-    std::vector<std::string> notes;  ///< what was assumed or left out, one sentence each; empty for our own files
+    Image<XYZ> xyz;                     ///< the data window; Y in cd/m^2, the file's whiteLuminance worked in
+    double white_luminance_cdm2 = 1.0;  ///< of Y = 1 in the file; xyz over this are the numbers that it holds
+    FilmMetadata metadata;              ///< a field that the file does not have keeps its default
+    PixelBounds data_window;            ///< as in the file
+    std::vector<std::string> notes;     ///< what was assumed or left out, one sentence each; empty for our own files
 };
 
 /// Reads a file of write_exr(), or any single-part scan-line or tiled EXR with channels X Y Z or R G B of half or

@@ -108,7 +108,8 @@ FilmImage read_checked(Imf::InputFile& file) {
     const ChannelChoice choice = choose_channels(header.channels());
     note_other_channels(header.channels(), choice, image.notes);
     const auto space = space_of(header, choice.color, image.notes);
-    const ChannelDecoder decoder(space, white_luminance_cdm2(header, image.notes));
+    image.white_luminance_cdm2 = white_luminance_cdm2(header, image.notes);
+    const ChannelDecoder decoder(space, image.white_luminance_cdm2);
     image.metadata = metadata_of(header, image.notes);
     image.data_window = {window.min.x, window.min.y, window.max.x + 1, window.max.y + 1};
     image.xyz = Image<XYZ>(image.data_window.width(), image.data_window.height());

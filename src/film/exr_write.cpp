@@ -23,6 +23,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/parameters.h"
 #include "film/exr_attributes.h"
 #include "film/exr_channels.h"
 #include "film/exr_file.h"
@@ -115,13 +116,15 @@ Imf::Chromaticities chromaticities(ExrColor color) {
     return {point(space.red), point(space.green), point(space.blue), point(space.white)};
 }
 
+float white_luminance_as_stored(const ExrOptions& options) { return static_cast<float>(options.white_luminance_cdm2); }
+
 Imf::Header make_header(const Image<XYZ>& image, const FilmMetadata& metadata, const ExrOptions& options) {
     Imf::Header header(image.width(), image.height());
     header.compression() = options.compression == ExrCompression::none ? Imf::NO_COMPRESSION : Imf::ZIP_COMPRESSION;
     const Imf::PixelType type = options.pixel_type == PixelType::half ? Imf::HALF : Imf::FLOAT;
     for (const char* name : channel_names(options.color)) header.channels().insert(name, Imf::Channel(type));
     Imf::addChromaticities(header, chromaticities(options.color));
-    Imf::addWhiteLuminance(header, 1.0f);
+    Imf::addWhiteLuminance(header, white_luminance_as_stored(options));
     for_each_metadata_field(metadata, [&](const char* name, const auto& value) {
         header.insert(name, Imf::StringAttribute(attribute_text(value)));
     });
@@ -158,15 +161,16 @@ ExrWriteResult write_rows(Imf::OutputFile& file, const Image<XYZ>& image, const 
     return result;
 }
 
-void require_pixels(const Image<XYZ>& image) {
+void check_arguments(const Image<XYZ>& image, const ExrOptions& options) {
     if (image.width() < 1) throw std::invalid_argument("EXR image: 0x0 pixels, expected at least one");
+    check_range(options.white_luminance_cdm2, {1e-30, 1e30}, "EXR image: white_luminance_cdm2");
 }
 
 }  // namespace
 
 ExrWriteResult write_exr(const std::filesystem::path& path, const Image<XYZ>& xyz, const FilmMetadata& metadata,
                          const ExrOptions& options) {
-    require_pixels(xyz);
+    check_arguments(xyz, options);
     AtomicFile file(path);
     ExrWriteResult result;
     try {
@@ -187,11 +191,11 @@ ExrWriteResult write_exr(const std::filesystem::path& path, const Image<XYZ>& xy
 }
 
 Image<XYZ> as_stored(const Image<XYZ>& xyz, const ExrOptions& options) {
-    require_pixels(xyz);
+    check_arguments(xyz, options);
     const ChannelEncoder encoder(options);
     std::optional<RgbSpace> space;
     if (options.color == ExrColor::rec709) space = rec709_as_stored();
-    const ChannelDecoder decoder(space, 1.0);
+    const ChannelDecoder decoder(space, static_cast<double>(white_luminance_as_stored(options)));
     ExrWriteResult ignored;
     Image<XYZ> stored(xyz.width(), xyz.height());
     std::transform(xyz.pixels().begin(), xyz.pixels().end(), stored.pixels().begin(),

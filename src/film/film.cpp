@@ -1,7 +1,6 @@
 #include "film/film.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -35,15 +34,12 @@ void require_inside(const PixelBounds& bounds, const PixelBounds& film) {
 void validate(const FilmOptions& options) {
     require_size("width_px", options.width_px);
     require_size("height_px", options.height_px);
-    if (!std::isfinite(options.imaging_ratio) || options.imaging_ratio <= 0.0) {
-        throw std::invalid_argument("film: imaging_ratio is " + std::to_string(options.imaging_ratio) +
-                                    ", expected a finite number > 0");
-    }
+    validate(options.sensor);
 }
 
 Film::Film(const FilmOptions& options) : options_(options) {
     validate(options);
-    sensor_ = std::make_shared<const Sensor>(options.imaging_ratio);
+    sensor_ = std::make_shared<const Sensor>(options.sensor);
     const std::size_t count = static_cast<std::size_t>(options.width_px) * static_cast<std::size_t>(options.height_px);
     pixels_.resize(count);
     sample_counts_.resize(count);

@@ -19,9 +19,9 @@
 namespace emulsion {
 
 struct FilmOptions {
-    int width_px = 1280;         ///< in [1, 65536]
-    int height_px = 720;         ///< in [1, 65536]
-    double imaging_ratio = 1.0;  ///< exposure time in seconds * ISO / 100, applied to spectral samples; finite, > 0
+    int width_px = 1280;        ///< in [1, 65536]
+    int height_px = 720;        ///< in [1, 65536]
+    SensorOptions sensor = {};  ///< applied to spectral samples
     bool operator==(const FilmOptions&) const = default;
 };
 

@@ -1,39 +1,58 @@
 #pragma once
 // The sensor: from the radiance at the wavelengths of one path to absolute XYZ.
-// Radiance in W m^-2 sr^-1 nm^-1, wavelengths in nm, densities in 1/nm, Y in cd/m^2 (times the imaging ratio).
+// Radiance in W m^-2 sr^-1 nm^-1, wavelengths in nm, densities in 1/nm, Y in cd/m^2 times the imaging ratio.
+//
+// Whatever the options, a sensor is three functions of the wavelength: balance * M * curves * 683 * imaging ratio. All
+// of that goes into one table, so that a camera, another observer or a white balance cost nothing at each sample.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "core/color.h"
 #include "core/units.h"
+#include "film/sensor_options.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion {
 
-/// The CIE 1931 2 degree observer behind a shutter: XYZ = 683 lm/W * imaging_ratio * integral L(lambda) xyzbar(lambda).
-/// Between whole nanometres the colour-matching functions are straight lines.
+/// One path as a sensor sees it.
+struct SensorSample {
+    XYZ xyz;
+    /// Luminance in cd/m^2 times the imaging ratio, as the observer sees it, neither through a camera nor balanced.
+    /// Their functions have negative lobes: violet light may rightly have a negative xyz.y. This number is negative for
+    /// negative radiance only.
+    float luminance = 0.0f;
+};
+
+/// XYZ = 683 lm/W * imaging ratio * integral of L(lambda) times the responses: the observer's functions, or a camera's
+/// curves times its matrix (CameraFit); then the white balance, if any. Between whole nanometres the responses are
+/// straight lines; outside their tables they are 0, with a jump.
 class Sensor {
   public:
-    /// imaging_ratio: exposure time in seconds * ISO / 100; 1 leaves Y in cd/m^2. Finite, > 0.
-    /// \throws std::invalid_argument if it is not.
-    explicit Sensor(double imaging_ratio = 1.0);
+    /// \throws std::invalid_argument as validate(SensorOptions) and fit_camera() do.
+    explicit Sensor(const SensorOptions& options = {});
 
-    /// 683 imaging_ratio / N * sum_i radiance_i / pdf_i * xyzbar(lambda_i): an unbiased estimate of XYZ if the
-    /// wavelengths were drawn with those densities. Single precision: agrees with to_xyz_reference() to 4e-6 of X + Y +
-    /// Z, for radiances of one sign.
+    /// 683 imaging_ratio / N * sum_i radiance_i / pdf_i * response(lambda_i): an unbiased estimate of XYZ if the
+    /// wavelengths were drawn with those densities. Single precision: agrees with to_xyz_reference() to 4e-6 of the sum
+    /// of all terms taken positive; that is 4e-6 of X + Y + Z for an observer and radiances of one sign.
     template <int N>
-    [[nodiscard]] XYZ to_xyz(const SampledWavelengths<N>& wavelengths,
-                             const SampledSpectrum<N>& radiance) const noexcept {
+    [[nodiscard]] SensorSample sense(const SampledWavelengths<N>& wavelengths,
+                                     const SampledSpectrum<N>& radiance) const noexcept {
         static_assert(N <= 4 || N % 4 == 0, "wavelengths are read in fours");
         Float4 sum{};
         for (int first = 0; first < N; first += 4) sum += sum_of_four(wavelengths, radiance, first);
         constexpr float kPerWavelength = 1.0f / static_cast<float>(N);
         sum *= kPerWavelength;
-        return {sum[0], sum[1], sum[2]};
+        return {{sum[0], sum[1], sum[2]}, sum[3]};
+    }
+    template <int N>
+    [[nodiscard]] XYZ to_xyz(const SampledWavelengths<N>& wavelengths,
+                             const SampledSpectrum<N>& radiance) const noexcept {
+        return sense(wavelengths, radiance).xyz;
     }
 
     /// The same in double precision.
@@ -48,19 +67,36 @@ class Sensor {
         return (1.0 / N) * sum;
     }
 
-    /// 683 imaging_ratio xyzbar(lambda), lm/W, in double precision; 0 outside [kMinWavelength_nm, kMaxWavelength_nm].
+    /// 683 imaging_ratio times the responses, lm/W, in double precision; 0 outside [kMinWavelength_nm,
+    /// kMaxWavelength_nm]. At a jump, the value above it.
     [[nodiscard]] XYZd response(double lambda_nm) const noexcept;
-    [[nodiscard]] double imaging_ratio() const noexcept { return imaging_ratio_; }
+    /// 683 imaging_ratio ybar(lambda) of the observer, lm/W: what SensorSample::luminance is made with.
+    [[nodiscard]] double luminance_response(double lambda_nm) const noexcept;
+
+    [[nodiscard]] const SensorOptions& options() const noexcept { return options_; }
+    [[nodiscard]] double imaging_ratio() const noexcept { return emulsion::imaging_ratio(options_); }
+    /// How well the camera's curves could be brought to XYZ; unset without a camera.
+    [[nodiscard]] const std::optional<CameraFit>& camera_fit() const noexcept { return camera_fit_; }
 
   private:
     // Four numbers in one vector register; a compiler's own vectorisation takes twice the time here.
     using Float4 [[gnu::vector_size(16)]] = float;
     using Int4 [[gnu::vector_size(16)]] = std::int32_t;
 
-    // The responses x, y and z on one nanometre, and an idle fourth: start + fraction * slope.
+    // The responses x, y and z on one nanometre, and that to luminance: start + fraction * slope.
     struct Lines {
         Float4 start{}, slope{};
     };
+    struct Response {
+        XYZd xyz;
+        double luminance = 0.0;
+    };
+    // Neighbours don't share their values: there may be a jump between them.
+    struct Cell {
+        Response start, end;
+    };
+
+    [[nodiscard]] Response at(double lambda_nm) const noexcept;
 
     /// The sum over wavelengths first ... first + 3; over all of them if N < 4.
     template <int N>
@@ -90,9 +126,10 @@ class Sensor {
         return (term(0) + term(1)) + (term(2) + term(3));
     }
 
-    double imaging_ratio_;
-    std::vector<XYZd> response_;  // at whole nanometres
-    std::vector<Lines> lines_;    // by nanometre
+    SensorOptions options_;
+    std::optional<CameraFit> camera_fit_;
+    std::vector<Cell> cells_;   // by nanometre
+    std::vector<Lines> lines_;  // the same in single precision
 };
 
 }  // namespace emulsion

@@ -143,8 +143,6 @@ void render(const PreparedScene& scene, const RenderOptions& options, Film& film
     }
 }
 
-FilmOptions film_options(const Scene& scene) noexcept {
-    return {scene.film.width_px, scene.film.height_px, scene.film.imaging_ratio};
-}
+FilmOptions film_options(const Scene& scene) { return {scene.film.width_px, scene.film.height_px, scene.film.sensor}; }
 
 }  // namespace emulsion

@@ -34,6 +34,6 @@ struct RenderProgress {
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress);
 
 /// The film that a scene asks for.
-[[nodiscard]] FilmOptions film_options(const Scene& scene) noexcept;
+[[nodiscard]] FilmOptions film_options(const Scene& scene);
 
 }  // namespace emulsion

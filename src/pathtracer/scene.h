@@ -15,6 +15,7 @@
 
 #include "film/filter.h"
 #include "film/pixel_type.h"
+#include "film/sensor_options.h"
 #include "spectrum/spectrum.h"
 
 namespace emulsion {
@@ -110,8 +111,8 @@ using Sampler = std::variant<IndependentSampler, StratifiedSampler, PaddedSobolS
 
 struct FilmSettings {
     int width_px = 1280, height_px = 720;
-    std::string filename;        ///< as the scene gives it; empty if it doesn't
-    double imaging_ratio = 1.0;  ///< exposure time * ISO / 100
+    std::string filename;       ///< as the scene gives it; empty if it doesn't
+    SensorOptions sensor = {};  ///< the exposure time is the camera's
     PixelType pixel_type = PixelType::float32;
 };
 

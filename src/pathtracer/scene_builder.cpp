@@ -39,12 +39,12 @@ void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d&
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Camera");
-    read_camera(list, state_.frame.world_from_object, scene_.camera, exposure_);
+    read_camera(list, state_.frame.world_from_object, scene_.camera, exposure_time_s_);
 }
 
 void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Film");
-    read_film(list, scene_.film, exposure_);
+    read_film(list, scene_.film);
 }
 
 void SceneBuilder::sampler(const SourcePlace& place, const ParameterList& list) {
@@ -72,6 +72,8 @@ void SceneBuilder::note_option(const SourcePlace& place, const std::string& dire
 void SceneBuilder::world_begin(const SourcePlace& place) {
     block_ = SceneBlock::world;
     world_begin_ = place;
+    scene_.film.sensor.exposure_time_s = exposure_time_s_;
+    check_sensor(place, scene_.film.sensor);
     state_.frame.world_from_object.makeIdentity();
 }
 
@@ -197,7 +199,6 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     if (scene_.lights.empty() && std::none_of(scene_.shapes.begin(), scene_.shapes.end(), emits)) {
         warn(*world_begin_, "there is no light: the picture will be black");
     }
-    scene_.film.imaging_ratio = exposure_.imaging_ratio();
     return std::move(scene_);
 }
 

@@ -77,7 +77,7 @@ class SceneBuilder {
     void warn(const SourcePlace& place, const std::string& what);
 
     Scene scene_;
-    Exposure exposure_;
+    double exposure_time_s_ = 1.0;  // of the camera
     SpectrumReader spectra_;
     SceneBlock block_ = SceneBlock::options;
     GraphicsState state_;

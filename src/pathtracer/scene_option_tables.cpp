@@ -62,7 +62,7 @@ constexpr auto kRgbFilm = std::to_array<ParameterSpec>({
     {.name = "diagonal", .range = positive},  // of no effect on a perspective camera
     {.name = "cropwindow", .support = pbrt_only},
     {.name = "pixelbounds", .support = pbrt_only},
-    {.name = "whitebalance", .support = pbrt_only},
+    {.name = "whitebalance", .range = not_negative},
     {.name = "maxcomponentvalue", .support = pbrt_only},
 });
 constexpr auto kFilms =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -42,6 +43,21 @@ double checked_exposure(const SourcePlace& place, double value, std::string_view
     using Float = std::numeric_limits<float>;
     if (value >= Float::min() && value <= Float::max()) return value;
     throw SceneError(place, fmt::format("{} {}", what, value), std::string(expected));
+}
+
+/// None where the scene gives none, or 0.
+std::optional<WhiteBalance> read_white_balance(const ParameterList& list) {
+    const SceneParameter* const parameter = find_parameter(list, "whitebalance");
+    if (parameter == nullptr || parameter->numbers.front() == 0.0) return std::nullopt;
+    const double nominal_K = parameter->numbers.front();
+    WhiteBalance balance{TemperatureWhite{daylight_temperature_of_nominal(nominal_K)}};
+    try {
+        validate(balance);
+    } catch (const std::invalid_argument&) {
+        throw SceneError(parameter->first_value, fmt::format(R"({} for parameter "whitebalance")", nominal_K),
+                         "a colour temperature from 1000 to 24986 K, or 0 for no white balance");
+    }
+    return balance;
 }
 
 template <class T>
@@ -115,7 +131,7 @@ constexpr auto kSamplerReaders = std::to_array<SamplerReader>(
 }  // namespace
 
 void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, PerspectiveCamera& camera,
-                 Exposure& exposure) {
+                 double& exposure_time_s) {
     check_parameters(camera_table(), list);
     camera = {};
     const std::optional<Imath::M44d> inverse = inverse_of(camera_from_world);
@@ -142,11 +158,11 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
         }
     }
     const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
-    exposure.time_s =
+    exposure_time_s =
         checked_exposure(list.place, time_s, "an exposure time of", R"("shutterclose" after "shutteropen")");
 }
 
-void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure) {
+void read_film(const ParameterList& list, FilmSettings& film) {
     check_parameters(film_table(), list);
     film = {};
     film.width_px = integer_up_to(kMostPixels, list, "xresolution", film.width_px);
@@ -158,8 +174,16 @@ void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure
     }
     film.filename = string_or(list, "filename", "");
     film.pixel_type = flag_or(list, "savefp16", Flag::off) == Flag::on ? PixelType::half : PixelType::float32;
-    exposure.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",
-                                    "a number that single precision holds");
+    film.sensor.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",
+                                       "a number that single precision holds");
+    film.sensor.white_balance = read_white_balance(list);
+}
+
+void check_sensor(const SourcePlace& place, const SensorOptions& sensor) {
+    const double ratio = imaging_ratio(sensor);
+    if (ratio >= kMinImagingRatio && ratio <= kMaxImagingRatio) return;
+    throw SceneError(place, fmt::format("a scene whose exposure time times ISO / 100 is {:g}", ratio),
+                     fmt::format("from {:g} to {:g}", kMinImagingRatio, kMaxImagingRatio));
 }
 
 void read_sampler(const ParameterList& list, Sampler& sampler, int& seed) {

@@ -10,21 +10,19 @@
 
 namespace emulsion {
 
-/// What the imaging ratio is made of; Camera and Film give one each, in any order.
-struct Exposure {
-    double time_s = 1.0;  ///< shutterclose - shutteropen; > 0
-    double iso = 100.0;   ///< > 0
-
-    [[nodiscard]] double imaging_ratio() const noexcept { return time_s * iso / 100.0; }
-};
-
 /// Each reads one directive and leaves the other fields alone.
+/// The exposure time is shutterclose - shutteropen; the film's sensor gets its own at check_sensor, as camera and film
+/// come in any order. "whitebalance" is a nominal temperature, as in the names of the D illuminants, and 0 means none.
 /// \throws SceneError naming the token at fault.
 void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, PerspectiveCamera& camera,
-                 Exposure& exposure);
-void read_film(const ParameterList& list, FilmSettings& film, Exposure& exposure);
+                 double& exposure_time_s);
+void read_film(const ParameterList& list, FilmSettings& film);
 void read_sampler(const ParameterList& list, Sampler& sampler, int& seed);
 [[nodiscard]] Filter read_filter(const ParameterList& list);
+
+/// What only camera and film together show.
+/// \throws SceneError at `place` if the product of exposure time and ISO is out of the sensor's range.
+void check_sensor(const SourcePlace& place, const SensorOptions& sensor);
 
 /// "lightsampler" is read and has no effect: how lights are picked (here: half by power, half in equal shares to all
 /// lights) changes the noise, not the picture.

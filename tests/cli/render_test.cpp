@@ -1,8 +1,10 @@
 // `emulsion render` and `emulsion develop` as a user meets them: the files, the words, the exit codes.
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -104,6 +106,25 @@ TEST_F(RenderProgram, DevelopGivesTheSameBytesAsRenderDid) {
         EXPECT_EQ(result.exit_code, 0) << result.err;
         EXPECT_TRUE(read_text(again) == read_text(png_)) << ::testing::PrintToString(more);
     }
+}
+
+// ISO 400 stores four times the numbers, and says that 1 stands for 0.25 cd/m^2: what is read, and the picture made of
+// it, are the same, to the bit for a power of two.
+TEST_F(RenderProgram, ExposureIsInTheFilesWhiteLuminance) {
+    const auto pictures_of = [&](const std::string& iso) {
+        std::string scene = kSmallScene;
+        scene.insert(scene.find("Film \"rgb\"") + 10, " \"float iso\" " + iso);
+        write_text(scene_, scene);
+        const ProgramResult result = render({"-o", exr_, "--png", png_});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return std::pair(read_exr(exr_), read_text(png_));
+    };
+    const auto [plain, plain_png] = pictures_of("100");
+    const auto [bright, bright_png] = pictures_of("400");
+    EXPECT_EQ(plain.white_luminance_cdm2, 1.0);
+    EXPECT_EQ(bright.white_luminance_cdm2, 0.25);
+    EXPECT_TRUE(std::equal(plain.xyz.pixels().begin(), plain.xyz.pixels().end(), bright.xyz.pixels().begin()));
+    EXPECT_EQ(plain_png, bright_png);
 }
 
 TEST_F(RenderProgram, ToneMappersDiffer) {

@@ -16,7 +16,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 TEST(DroppedSamples, KeepsBadSamplesOutAndReportsThem) {
-    Film film(FilmOptions{8, 8, 1.0});
+    Film film(FilmOptions{8, 8, {}});
     FilmTile tile = film.make_tile(film.bounds());
     tile.add(1, 1, XYZ{1.0f, 2.0f, 3.0f}, 1.0f);
     tile.add(1, 1, XYZ{kNan, 2.0f, 3.0f}, 1.0f);
@@ -48,7 +48,7 @@ TEST(DroppedSamples, ReportsADroppedSampleInWords) {
 }
 
 TEST(DroppedSamples, ReportedSamplesDoNotDependOnTheOrderOfMerges) {
-    Film forwards(FilmOptions{16, 16, 1.0}), backwards(FilmOptions{16, 16, 1.0});
+    Film forwards(FilmOptions{16, 16, {}}), backwards(FilmOptions{16, 16, {}});
     std::vector<FilmTile> tiles;
     for (int y = 0; y < 16; y += 4) {
         FilmTile tile = forwards.make_tile({0, y, 16, y + 4});

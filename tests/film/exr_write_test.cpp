@@ -1,5 +1,6 @@
 #include <array>
 #include <bit>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -98,6 +99,38 @@ TEST_F(ExrFile, HeaderSaysWhatTheNumbersAre) {
     EXPECT_EQ(Imf::chromaticities(rgb.header()).white, Imath::V2f(0.3127f, 0.329f));
     EXPECT_EQ(rgb.header().channels()["G"].type, Imf::HALF);
     EXPECT_EQ(rgb.header().compression(), Imf::NO_COMPRESSION);
+}
+
+// A film exposed four times as long: its numbers go into the file as they are, and the header says that 1 stands for
+// 0.25 cd/m^2. Reading gives cd/m^2.
+TEST_F(ExrFile, WhiteLuminanceIsWhatOneStandsFor) {
+    const Image<XYZ> exposed = picture(9, 5);
+    for (ExrOptions options : kAllOptions) {
+        options.white_luminance_cdm2 = 0.25;
+        write_exr(file("a.exr"), exposed, {}, options);
+        EXPECT_EQ(Imf::whiteLuminance(Imf::InputFile(file("a.exr").c_str()).header()), 0.25f);
+        const FilmImage read = read_exr(file("a.exr"));
+        EXPECT_TRUE(same_bits(read.xyz, as_stored(exposed, options)));
+        EXPECT_EQ(read.white_luminance_cdm2, 0.25);
+        options.white_luminance_cdm2 = 1.0;
+        const Image<XYZ> stored = as_stored(exposed, options);
+        for (std::size_t i = 0; i < stored.pixels().size(); ++i) {
+            EXPECT_EQ(read.xyz.pixels()[i].y, 0.25f * stored.pixels()[i].y);
+        }
+        // A number that single precision can't hold is rounded for the header, and for as_stored in the same way.
+        options.white_luminance_cdm2 = 1.0 / 3.0;
+        write_exr(file("a.exr"), exposed, {}, options);
+        EXPECT_TRUE(same_bits(read_exr(file("a.exr")).xyz, as_stored(exposed, options)));
+    }
+}
+
+TEST_F(ExrFile, RefusesAWhiteLuminanceOutOfRange) {
+    for (const double bad : {0.0, -1.0, 1e31, 1e-31, HUGE_VAL, std::nan("")}) {
+        const ExrOptions options{.white_luminance_cdm2 = bad};
+        EXPECT_THROW(write_exr(file("a.exr"), picture(2, 2), {}, options), std::invalid_argument);
+        EXPECT_THROW(static_cast<void>(as_stored(picture(2, 2), options)), std::invalid_argument);
+    }
+    EXPECT_EQ(files_in_folder(), 0u);
 }
 
 // D65 with Y = 1 is RGB (1, 1, 1), to any other reader of the file as well.

@@ -108,7 +108,9 @@ void expect_sane(const Scene& scene, const std::string& text) {
             for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh->position.size()) << text;
         }
     }
-    ASSERT_TRUE(std::isfinite(scene.film.imaging_ratio) && scene.film.imaging_ratio > 0.0) << text;
+    ASSERT_TRUE(imaging_ratio(scene.film.sensor) >= kMinImagingRatio &&
+                imaging_ratio(scene.film.sensor) <= kMaxImagingRatio)
+        << text;
 }
 
 enum class Outcome { scene, error };

@@ -1,6 +1,8 @@
 #include "pathtracer/scene_options.h"
 
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +24,7 @@ TEST(SceneOptions, Defaults) {
     EXPECT_EQ(scene.film.width_px, 1280);
     EXPECT_EQ(scene.film.height_px, 720);
     EXPECT_EQ(scene.film.filename, "");
-    EXPECT_EQ(scene.film.imaging_ratio, 1.0);
+    EXPECT_EQ(scene.film.sensor, SensorOptions{});
     EXPECT_EQ(scene.film.pixel_type, PixelType::float32);
     EXPECT_EQ(scene.filter, Filter(GaussianFilter{}));
     EXPECT_EQ(std::get<PaddedSobolSampler>(scene.sampler).samples_per_pixel, 16);
@@ -50,9 +52,32 @@ TEST(SceneOptions, Film) {
 TEST(SceneOptions, ImagingRatioIsExposureTimesIso) {
     const std::string camera = R"(Camera "perspective" "float shutteropen" 0.25 "float shutterclose" 0.75 )";
     const std::string film = R"(Film "rgb" "float iso" 400 )";
-    EXPECT_DOUBLE_EQ(parse_options(camera + film).film.imaging_ratio, 2.0);
-    EXPECT_DOUBLE_EQ(parse_options(film + camera).film.imaging_ratio, 2.0);
-    EXPECT_DOUBLE_EQ(parse_options(film).film.imaging_ratio, 4.0);
+    EXPECT_DOUBLE_EQ(imaging_ratio(parse_options(camera + film).film.sensor), 2.0);
+    EXPECT_DOUBLE_EQ(imaging_ratio(parse_options(film + camera).film.sensor), 2.0);
+    EXPECT_DOUBLE_EQ(imaging_ratio(parse_options(film).film.sensor), 4.0);
+}
+
+// pbrt-v4's temperatures are nominal: its 6500 is D65, of 6503.6 K by today's radiation constant.
+TEST(SceneOptions, WhiteBalance) {
+    const auto balance = [](const std::string& number) {
+        return parse_options(R"(Film "rgb" "float whitebalance" )" + number).film.sensor.white_balance;
+    };
+    EXPECT_FALSE(balance("0"));
+    for (const auto& [text, nominal_K] : {std::pair("6500", 6500.0), std::pair("[ 3200 ]", 3200.0)}) {
+        ASSERT_TRUE(balance(text));
+        EXPECT_NEAR(std::get<TemperatureWhite>(balance(text)->white).temperature_K, nominal_K * 1.4388 / 1.4380, 1e-9);
+        EXPECT_EQ(balance(text)->method, ChromaticAdaptation(BradfordAdaptation{}));
+    }
+    EXPECT_TRUE(balance("1000"));
+    EXPECT_TRUE(balance("24986"));
+}
+
+// The camera's time also reaches a film that is described before it or not at all.
+TEST(SceneOptions, ExposureTimeIsTheCameras) {
+    const std::string camera = R"(Camera "perspective" "float shutterclose" 0.125 )";
+    EXPECT_EQ(parse_options(camera).film.sensor, SensorOptions{.exposure_time_s = 0.125});
+    EXPECT_EQ(parse_options(R"(Film "rgb" "float iso" 200 )" + camera).film.sensor,
+              (SensorOptions{.exposure_time_s = 0.125, .iso = 200.0}));
 }
 
 TEST(SceneOptions, Samplers) {
@@ -180,6 +205,16 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:30: found a camera at (1.5e+15, 0, -2), expected coordinates from -1e15 to 1e15 in world space"},
         {R"(Film "rgb" "float iso" 1e60)",
          "1:6: found an ISO speed of 1e+60, expected a number that single precision holds"},
+        {R"(Film "rgb" "float iso" 1e35 WorldBegin)",
+         "1:29: found a scene whose exposure time times ISO / 100 is 1e+33, expected from 1e-30 to 1e+30"},
+        {R"(Film "rgb" "float whitebalance" [ 900 ])",
+         "1:35: found 900 for parameter \"whitebalance\", expected a colour temperature from 1000 to 24986 K, or 0 for "
+         "no white balance"},
+        {R"(Film "rgb" "float whitebalance" 24987)",
+         "1:33: found 24987 for parameter \"whitebalance\", expected a colour temperature from 1000 to 24986 K, or 0 "
+         "for no white balance"},
+        {R"(Film "rgb" "float whitebalance" -1)",
+         "1:33: found -1 for parameter \"whitebalance\" of film \"rgb\", expected 0 or a number above"},
         {R"(Film "rgb" "string sensor" "nikon_d850")",
          "1:28: found sensor \"nikon_d850\", expected a supported one (known to pbrt-v4 and not yet supported here; "
          "supported: cie1931)"},
