@@ -85,7 +85,8 @@ const std::vector<Section>& sections() {
         {"spaces", "Colour systems, for SPACE", print_systems},
         {"rgb-spaces", "RGB spaces, for --rgb-space, and for SPACE: linear RGB", print_rgb_spaces},
         {"transfers", "Transfer functions, for --transfer", print_variant<TransferFunction>},
-        {"adaptations", "Chromatic adaptations, for --adapt, and for --method of adapt", print_variant<ChromaticAdaptation>},
+        {"adaptations", "Chromatic adaptations, for --adapt, and for --method of adapt",
+         print_variant<ChromaticAdaptation>},
         {"differences", "Colour differences, for --method of difference", print_variant<DifferenceMethod>},
         {"observers", "Standard observers, for --observer", print_observers},
     };
