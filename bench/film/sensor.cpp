@@ -41,7 +41,7 @@ const std::vector<Sample>& samples() {
 
 CameraResponse some_camera() {
     CameraResponse camera{"some", {}, {}};
-    for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
+    for (int nm = 380; nm <= 780; nm += 5) {
         const auto hump = [&](double centre_nm) { return std::exp(-std::pow((nm - centre_nm) / 50.0, 2.0)); };
         camera.lambda_nm.push_back(nm);
         camera.value.push_back({hump(600.0), hump(540.0), hump(455.0)});

@@ -57,7 +57,7 @@ class CameraCsv {
 
   private:
     [[noreturn]] void fail(const std::string& problem) const {
-        throw std::invalid_argument("line " + std::to_string(number_) + ": " + problem);
+        throw std::invalid_argument("line " + std::to_string(std::max<std::size_t>(number_, 1)) + ": " + problem);
     }
 
     /// Goes to the next line that says something; false at the end of the text.
@@ -86,8 +86,8 @@ class CameraCsv {
         const auto names = cells();
         Places places{};
         for (std::size_t i = 0; i < kColumns.size(); ++i) {
-            const auto found = std::find_if(names.begin(), names.end(),
-                                            [&](std::string_view name) { return name_key(name) == kColumns[i]; });
+            const auto* const found = std::find_if(
+                names.begin(), names.end(), [&](std::string_view name) { return name_key(name) == kColumns[i]; });
             if (found == names.end()) {
                 fail("\"" + std::string(line_) + "\" has no column \"" + std::string(kColumns[i]) +
                      "\", expected the names wavelength,r,g,b");
@@ -145,17 +145,19 @@ std::string in_range_text() {
 Observer resampled(const CameraResponse& response) {
     check_curves(response);
     const auto& lambda_nm = response.lambda_nm;
-    const double first = lambda_nm.empty() ? 0.0 : std::max<double>(kMinWavelength_nm, std::ceil(lambda_nm.front()));
-    const double last = lambda_nm.empty() ? 0.0 : std::min<double>(kMaxWavelength_nm, std::floor(lambda_nm.back()));
+    const double from_nm = lambda_nm.empty() ? 0.0 : lambda_nm.front(),
+                 to_nm = lambda_nm.empty() ? 0.0 : lambda_nm.back();
+    const double first = std::max<double>(kMinWavelength_nm, std::ceil(from_nm));
+    const double last = std::min<double>(kMaxWavelength_nm, std::floor(to_nm));
     if (first >= last) {
-        throw std::invalid_argument("wavelengths from " + number_text(lambda_nm.empty() ? 0.0 : lambda_nm.front()) +
-                                    " to " + number_text(lambda_nm.empty() ? 0.0 : lambda_nm.back()) +
+        throw std::invalid_argument("wavelengths from " + number_text(from_nm) + " to " + number_text(to_nm) +
                                     ", expected at least two nm of " + in_range_text());
     }
 
     Observer curves{response.name, static_cast<int>(first), {}};
     std::size_t right = 1;
-    for (double at_nm = first; at_nm <= last; at_nm += 1.0) {
+    for (int nm = curves.first_nm; nm <= static_cast<int>(last); ++nm) {
+        const double at_nm = nm;
         while (lambda_nm[right] < at_nm) ++right;
         const double width_nm = lambda_nm[right] - lambda_nm[right - 1];
         const double fraction = (at_nm - lambda_nm[right - 1]) / width_nm;

@@ -46,7 +46,7 @@ struct BadCsv {
 
 TEST(CameraCsv, BadOnesSayWhereAndWhat) {
     const BadCsv all[] = {
-        {"", "line 0: the text ends here, expected the names wavelength,r,g,b"},
+        {"", "line 1: the text ends here, expected the names wavelength,r,g,b"},
         {"# nothing\n", "line 1: the text ends here, expected the names wavelength,r,g,b"},
         {"wavelength,r,g\n400,1,1\n", R"(line 1: "wavelength,r,g" has 3 cells, expected four, with commas between)"},
         {"wavelength;r;g;b\n", R"(line 1: "wavelength;r;g;b" has 1 cells, expected four, with commas between)"},

@@ -22,7 +22,7 @@ inline CameraResponse humps_camera() {
     const auto hump = [](double lambda_nm, double centre_nm, double width_nm) {
         return std::exp(-0.5 * std::pow((lambda_nm - centre_nm) / width_nm, 2.0));
     };
-    for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
+    for (int nm = 380; nm <= 780; nm += 5) {
         camera.lambda_nm.push_back(nm);
         camera.value.push_back({hump(nm, 600.0, 35.0), 0.9 * hump(nm, 540.0, 38.0), 0.7 * hump(nm, 455.0, 28.0)});
     }

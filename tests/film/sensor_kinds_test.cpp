@@ -18,6 +18,7 @@ namespace {
 using testing::components;
 using testing::every_sensor;
 using testing::expected_xyz;
+using testing::NamedSensor;
 using testing::seen_by;
 
 std::array<double, 4> numbers(const SensorSample& sample) {
@@ -57,8 +58,8 @@ TEST(EverySensor, ItsTableIntegratesToTheExactIntegral) {
 // 4e-6 of the sum of all terms taken positive, as the header says.
 TEST(EverySensor, FastPathAgreesWithTheReference) {
     const VisibleWavelengthPdf distribution;
-    for (const auto& [name, options] : every_sensor()) {
-        const Sensor sensor(options);
+    for (const NamedSensor& tested : every_sensor()) {
+        const Sensor sensor(tested.options);
         for_each_wavelength_count([&]<int N>() {
             Pcg32 random(1);
             for (int i = 0; i < 3000; ++i) {
@@ -77,8 +78,9 @@ TEST(EverySensor, FastPathAgreesWithTheReference) {
                     luminance_size += std::abs(scaled) * sensor.luminance_response(nm);
                     for (const double r : response) size += std::abs(scaled * r);
                 }
-                for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(fast[k], exact[k], 4e-6 * size) << name << ", N " << N;
-                ASSERT_NEAR(fast[3], luminance, 4e-6 * luminance_size) << name << ", N " << N;
+                for (std::size_t k = 0; k < 3; ++k)
+                    ASSERT_NEAR(fast[k], exact[k], 4e-6 * size) << tested.name << ", N " << N;
+                ASSERT_NEAR(fast[3], luminance, 4e-6 * luminance_size) << tested.name << ", N " << N;
             }
         });
     }

@@ -13,7 +13,6 @@
 namespace emulsion {
 namespace {
 
-using testing::components;
 using testing::every_sensor;
 using testing::product;
 using testing::seen_by;
