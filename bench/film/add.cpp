@@ -75,21 +75,27 @@ void add_plain(std::vector<PlainPixel>& pixels, int x, int y, XYZ value, float w
     sum[3] += w;
 }
 
-std::vector<PlainPixel> plain_sums(const Film& film, bool spectral) {
+enum class Input { xyz, spectral };
+
+std::vector<PlainPixel> plain_sums(const Sensor& sensor, Input input) {
     std::vector<PlainPixel> pixels(std::size_t{kTile_px} * kTile_px);
     const Samples& all = samples();
     for_each_sample([&](int x, int y, std::size_t i) {
-        const XYZ value = spectral ? film.sensor().to_xyz(all.wavelengths[i], all.radiance[i]) : all.xyz[i];
+        const XYZ value = input == Input::xyz ? all.xyz[i] : sensor.to_xyz(all.wavelengths[i], all.radiance[i]);
         add_plain(pixels, x, y, value, all.weight[i]);
     });
     return pixels;
 }
 
-bool same_sums(const FilmTile& tile, const std::vector<PlainPixel>& plain) {
+/// To 1e-5: enough for floats, and no mistake of a sample would pass.
+template <class Sums>
+bool same_sums(const BasicFilmTile<Sums>& tile, const std::vector<PlainPixel>& plain) {
     for (std::size_t i = 0; i < plain.size(); ++i) {
-        const TilePixel& pixel = tile.pixels()[i];
-        const auto& sum = plain[i].sum;
-        if (pixel.x != sum[0] || pixel.y != sum[1] || pixel.z != sum[2] || pixel.weight != sum[3]) return false;
+        const WeightedSums sums = tile.pixels()[i].sums();
+        const std::array<double, 4> got = {sums.xyz.x, sums.xyz.y, sums.xyz.z, sums.weight};
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (std::abs(got[k] - plain[i].sum[k]) > 1e-5 * std::abs(plain[i].sum[k])) return false;
+        }
     }
     return tile.dropped().count() == 0;
 }
@@ -107,15 +113,17 @@ void plain_double4(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
 }
 
+template <class Sums>
 void tile_xyz(benchmark::State& state) {
     const Samples& all = samples();
-    const Film film(kOptions);
-    FilmTile tile = film.make_tile(kBounds);
+    const BasicFilm<Sums> film(kOptions);
+    BasicFilmTile<Sums> tile = film.make_tile(kBounds);
     const auto pass = [&] {
         for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
     };
     pass();
-    if (!same_sums(tile, plain_sums(film, false))) return state.SkipWithError("sums differ from the plain ones");
+    if (!same_sums(tile, plain_sums(film.sensor(), Input::xyz)))
+        return state.SkipWithError("sums differ from the plain ones");
     for (auto _ : state) {
         pass();
         benchmark::ClobberMemory();
@@ -132,7 +140,8 @@ void tile_spectral4(benchmark::State& state) {
             [&](int x, int y, std::size_t i) { tile.add(x, y, all.wavelengths[i], all.radiance[i], all.weight[i]); });
     };
     pass();
-    if (!same_sums(tile, plain_sums(film, true))) return state.SkipWithError("sums differ from the plain ones");
+    if (!same_sums(tile, plain_sums(film.sensor(), Input::spectral)))
+        return state.SkipWithError("sums differ from the plain ones");
     for (auto _ : state) {
         pass();
         benchmark::ClobberMemory();
@@ -140,18 +149,19 @@ void tile_spectral4(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
 }
 
-/// A tile's pass of XYZ samples and its merge: the whole way into the exact film.
+/// A tile's pass of XYZ samples and its merge: the whole way into the film.
+template <class Sums>
 void tile_xyz_and_merge(benchmark::State& state) {
     const Samples& all = samples();
-    Film film(kOptions);
-    FilmTile tile = film.make_tile(kBounds);
+    BasicFilm<Sums> film(kOptions);
+    BasicFilmTile<Sums> tile = film.make_tile(kBounds);
     const auto pass = [&] {
         tile.clear();
         for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
         film.merge(tile);
     };
     pass();
-    if (!same_sums(tile, plain_sums(film, false)) || film.sample_count() != kSamples) {
+    if (!same_sums(tile, plain_sums(film.sensor(), Input::xyz)) || film.sample_count() != kSamples) {
         return state.SkipWithError("sums differ from the plain ones");
     }
     for (auto _ : state) {
@@ -161,20 +171,23 @@ void tile_xyz_and_merge(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
 }
 
-/// The merge alone; an item is a pixel.
+/// The merge alone; an item is a pixel. Says how many bytes a pixel of the film has.
+template <class Sums>
 void merge(benchmark::State& state) {
     const Samples& all = samples();
-    Film film(kOptions);
-    FilmTile tile = film.make_tile(kBounds);
+    BasicFilm<Sums> film(kOptions);
+    BasicFilmTile<Sums> tile = film.make_tile(kBounds);
     for_each_sample([&](int x, int y, std::size_t i) { tile.add(x, y, all.xyz[i], all.weight[i]); });
     film.merge(tile);
     const XYZ got = film.xyz_image()(3, 5);
-    const TilePixel& pixel = tile.pixels()[5 * kTile_px + 3];
-    if (got.y != static_cast<float>(pixel.y / pixel.weight)) return state.SkipWithError("merged sums differ");
+    const WeightedSums sums = tile.pixels()[5 * kTile_px + 3].sums();
+    if (got.y != static_cast<float>(sums.xyz.y / sums.weight)) return state.SkipWithError("merged sums differ");
     for (auto _ : state) {
         film.merge(tile);
         benchmark::ClobberMemory();
     }
+    state.counters["film_bytes_per_pixel"] = sizeof(typename Sums::FilmPixel);
+    state.counters["tile_bytes_per_pixel"] = sizeof(typename Sums::TilePixel) + sizeof(std::uint32_t);
     state.SetItemsProcessed(state.iterations() * kTile_px * kTile_px);
 }
 
@@ -200,16 +213,27 @@ void filter_sample(benchmark::State& state, const Filter& filter) {
 /// Prints mean, median and spread of nine runs.
 void nine_times(benchmark::internal::Benchmark* benchmark) { benchmark->Repetitions(9)->ReportAggregatesOnly(); }
 
-BENCHMARK(plain_double4)->Apply(nine_times);
-BENCHMARK(tile_xyz)->Apply(nine_times);
+BENCHMARK(plain_double4)->Apply(nine_times)->Threads(1)->Threads(2);
+BENCHMARK(tile_xyz<ExactSums>)->Apply(nine_times)->Threads(1)->Threads(2);
+BENCHMARK(tile_xyz<DoubleSums>)->Apply(nine_times);
+BENCHMARK(tile_xyz<FloatSums>)->Apply(nine_times);
+BENCHMARK(tile_xyz<KahanFloatSums>)->Apply(nine_times);
 BENCHMARK(tile_spectral4)->Apply(nine_times);
-BENCHMARK(tile_xyz_and_merge)->Apply(nine_times);
-BENCHMARK(merge)->Apply(nine_times);
+BENCHMARK(tile_xyz_and_merge<ExactSums>)->Apply(nine_times)->Threads(1)->Threads(2);
+BENCHMARK(tile_xyz_and_merge<DoubleSums>)->Apply(nine_times);
+BENCHMARK(tile_xyz_and_merge<FloatSums>)->Apply(nine_times);
+BENCHMARK(tile_xyz_and_merge<KahanFloatSums>)->Apply(nine_times);
+BENCHMARK(merge<ExactSums>)->Apply(nine_times);
+BENCHMARK(merge<DoubleSums>)->Apply(nine_times);
+BENCHMARK(merge<FloatSums>)->Apply(nine_times);
+BENCHMARK(merge<KahanFloatSums>)->Apply(nine_times);
 BENCHMARK_CAPTURE(filter_sample, box, Filter(BoxFilter{}))->Apply(nine_times);
 BENCHMARK_CAPTURE(filter_sample, triangle, Filter(TriangleFilter{}))->Apply(nine_times);
 BENCHMARK_CAPTURE(filter_sample, gaussian, Filter(GaussianFilter{}))->Apply(nine_times);
 BENCHMARK_CAPTURE(filter_sample, mitchell, Filter(MitchellFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, catmull_rom, Filter(CatmullRomFilter{}))->Apply(nine_times);
 BENCHMARK_CAPTURE(filter_sample, sinc, Filter(LanczosSincFilter{}))->Apply(nine_times);
+BENCHMARK_CAPTURE(filter_sample, blackman_harris, Filter(BlackmanHarrisFilter{}))->Apply(nine_times);
 
 }  // namespace
 }  // namespace emulsion

@@ -9,12 +9,14 @@ namespace emulsion {
 
 namespace {
 
-/// Reading order first; the rest makes the order total, so that merges commute.
+/// Reading order first; the rest makes the order total, so that neither the order of samples nor that of merges shows.
 auto order_of(const DroppedSample& sample) noexcept {
     const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
     return std::make_tuple(sample.y_px, sample.x_px, sample.kind, bits(sample.value.x), bits(sample.value.y),
                            bits(sample.value.z), bits(sample.weight));
 }
+
+bool is_before(const DroppedSample& a, const DroppedSample& b) noexcept { return order_of(a) < order_of(b); }
 
 const char* name_of(DroppedKind kind) noexcept {
     switch (kind) {
@@ -39,7 +41,14 @@ std::string to_string(const DroppedSample& sample) {
 
 void DroppedSamples::add(const DroppedSample& sample) noexcept {
     ++counts_[static_cast<std::size_t>(sample.kind)];
-    if (first_count_ < kReported) first_[first_count_++] = sample;
+    if (first_count_ < kReported) {
+        ++first_count_;
+    } else if (!is_before(sample, first_.back())) {
+        return;
+    }
+    std::size_t place = first_count_ - 1;
+    for (; place > 0 && is_before(sample, first_[place - 1]); --place) first_[place] = first_[place - 1];
+    first_[place] = sample;
 }
 
 void DroppedSamples::merge(const DroppedSamples& other) noexcept {
@@ -48,7 +57,7 @@ void DroppedSamples::merge(const DroppedSamples& other) noexcept {
     std::array<DroppedSample, 2 * kReported> both{};
     auto* end = std::copy_n(first_.begin(), first_count_, both.begin());
     end = std::copy_n(other.first_.begin(), other.first_count_, end);
-    std::sort(both.begin(), end, [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
+    std::sort(both.begin(), end, is_before);
     first_count_ = std::min(kReported, first_count_ + other.first_count_);
     std::copy_n(both.begin(), first_count_, first_.begin());
 }

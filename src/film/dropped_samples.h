@@ -34,8 +34,8 @@ class DroppedSamples {
         return counts_[static_cast<std::size_t>(kind)];
     }
 
-    /// Up to kReported of them. In a tile the first that came; in a film the first in reading order (row, then column)
-    /// among those that its tiles reported, so that they don't depend on the order of merges.
+    /// The first kReported of them in reading order (row, then column; then kind and numbers), whatever the order in
+    /// which they came.
     [[nodiscard]] std::span<const DroppedSample> first() const noexcept { return {first_.data(), first_count_}; }
 
     /// Counts a sample whose kind is set.

@@ -1,6 +1,7 @@
 #include "film/film.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -29,6 +30,15 @@ void require_inside(const PixelBounds& bounds, const PixelBounds& film) {
                                 to_string(film));
 }
 
+bool has_value(const WeightedSums& sums, std::uint32_t samples) noexcept {
+    return sums.weight > 0.0 && sums.weight >= kMinMeanWeight * static_cast<double>(samples);
+}
+
+template <class Pixel>
+bool has_fewer_samples(const Pixel& a, const Pixel& b) noexcept {
+    return a.samples() < b.samples();
+}
+
 }  // namespace
 
 void validate(const FilmOptions& options) {
@@ -37,20 +47,21 @@ void validate(const FilmOptions& options) {
     validate(options.sensor);
 }
 
-Film::Film(const FilmOptions& options) : options_(options) {
+template <class Sums>
+BasicFilm<Sums>::BasicFilm(const FilmOptions& options) : options_(options) {
     validate(options);
     sensor_ = std::make_shared<const Sensor>(options.sensor);
-    const std::size_t count = static_cast<std::size_t>(options.width_px) * static_cast<std::size_t>(options.height_px);
-    pixels_.resize(count);
-    sample_counts_.resize(count);
+    pixels_.resize(static_cast<std::size_t>(options.width_px) * static_cast<std::size_t>(options.height_px));
 }
 
-FilmTile Film::make_tile(PixelBounds tile_bounds) const {
+template <class Sums>
+BasicFilmTile<Sums> BasicFilm<Sums>::make_tile(PixelBounds tile_bounds) const {
     require_inside(tile_bounds, bounds());
     return {tile_bounds, sensor_};
 }
 
-void Film::merge(const FilmTile& tile) {
+template <class Sums>
+void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
     const PixelBounds& inside = tile.bounds();
     require_inside(inside, bounds());
     const auto tile_width = static_cast<std::size_t>(inside.width());
@@ -61,69 +72,67 @@ void Film::merge(const FilmTile& tile) {
     for (int y = inside.y0; y < inside.y1; ++y) {
         std::size_t to = static_cast<std::size_t>(y) * film_width + static_cast<std::size_t>(inside.x0);
         for (const std::size_t end = from + tile_width; from < end; ++from, ++to) {
-            const TilePixel& sums = tile.pixels()[from];
-            Pixel& pixel = pixels_[to];
-            pixel.x += ExactSum(sums.x);
-            pixel.y += ExactSum(sums.y);
-            pixel.z += ExactSum(sums.z);
-            pixel.weight += ExactSum(sums.weight);
-            sample_counts_[to] += tile.sample_counts()[from];
+            const std::uint32_t count = tile.sample_counts()[from];
+            pixels_[to].add(tile.pixels()[from], count < tile.kMostSamples ? count : SampleCount::kMost);
         }
     }
     dropped_.merge(tile.dropped());
 }
 
-bool Film::has_value(std::size_t i) const noexcept {
-    const double weight = pixels_[i].weight.value();
-    return weight > 0.0 && weight >= kMinMeanWeight * static_cast<double>(sample_counts_[i]);
-}
-
-Image<XYZ> Film::xyz_image() const {
+template <class Sums>
+Image<XYZ> BasicFilm<Sums>::xyz_image() const {
     Image<XYZ> image(options_.width_px, options_.height_px);
     const std::lock_guard lock(mutex_);
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        if (!has_value(i)) continue;
-        const Pixel& pixel = pixels_[i];
-        const double weight = pixel.weight.value();
-        image.pixels()[i] = {static_cast<float>(pixel.x.value() / weight), static_cast<float>(pixel.y.value() / weight),
-                             static_cast<float>(pixel.z.value() / weight)};
+        const WeightedSums sums = pixels_[i].sums();
+        if (!has_value(sums, pixels_[i].samples())) continue;
+        image.pixels()[i] = {static_cast<float>(sums.xyz.x / sums.weight), static_cast<float>(sums.xyz.y / sums.weight),
+                             static_cast<float>(sums.xyz.z / sums.weight)};
     }
     return image;
 }
 
-std::int64_t Film::pixels_without_value() const {
+template <class Sums>
+std::int64_t BasicFilm<Sums>::pixels_without_value() const {
     const std::lock_guard lock(mutex_);
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) count += has_value(i) ? 0 : 1;
-    return count;
+    return std::count_if(pixels_.begin(), pixels_.end(),
+                         [](const Pixel& pixel) { return !has_value(pixel.sums(), pixel.samples()); });
 }
 
-std::int64_t Film::saturated_pixels() const {
+template <class Sums>
+std::int64_t BasicFilm<Sums>::saturated_pixels() const {
     const std::lock_guard lock(mutex_);
-    return std::count_if(pixels_.begin(), pixels_.end(), [](const Pixel& pixel) {
-        return pixel.x.is_saturated() || pixel.y.is_saturated() || pixel.z.is_saturated() ||
-               pixel.weight.is_saturated();
-    });
+    return std::count_if(pixels_.begin(), pixels_.end(), [](const Pixel& pixel) { return pixel.is_saturated(); });
 }
 
-DroppedSamples Film::dropped() const {
+template <class Sums>
+DroppedSamples BasicFilm<Sums>::dropped() const {
     const std::lock_guard lock(mutex_);
     return dropped_;
 }
 
-std::uint64_t Film::sample_count() const {
+template <class Sums>
+std::uint64_t BasicFilm<Sums>::sample_count() const {
     const std::lock_guard lock(mutex_);
-    return std::accumulate(sample_counts_.begin(), sample_counts_.end(), std::uint64_t{0});
+    return std::accumulate(pixels_.begin(), pixels_.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const Pixel& pixel) { return sum + pixel.samples(); });
 }
 
-std::uint64_t Film::min_samples_per_pixel() const {
+template <class Sums>
+std::uint64_t BasicFilm<Sums>::min_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return *std::min_element(sample_counts_.begin(), sample_counts_.end());
+    return std::min_element(pixels_.begin(), pixels_.end(), has_fewer_samples<Pixel>)->samples();
 }
 
-std::uint64_t Film::max_samples_per_pixel() const {
+template <class Sums>
+std::uint64_t BasicFilm<Sums>::max_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return *std::max_element(sample_counts_.begin(), sample_counts_.end());
+    return std::max_element(pixels_.begin(), pixels_.end(), has_fewer_samples<Pixel>)->samples();
 }
+
+template class BasicFilm<ExactSums>;
+template class BasicFilm<DoubleSums>;
+template class BasicFilm<FloatSums>;
+template class BasicFilm<KahanFloatSums>;
 
 }  // namespace emulsion

@@ -1,9 +1,10 @@
 #pragma once
 // The film: weighted samples in, scene-referred CIE XYZ out, Y in cd/m^2 (times the imaging ratio).
-// Threads fill tiles of their own and merge them; the pixels' sums are exact, so that the picture is bit-identical for
-// every order of merges, and so for every number of threads.
+// Threads fill tiles of their own and merge them. The pixels' sums are exact: every sample is rounded once, on its own,
+// as it enters a tile, and nothing is rounded after that. So the picture is bit-identical for every order of samples
+// and merges, every number of threads, every size of tiles, and every way of sharing samples out over runs and
+// machines.
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -12,7 +13,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "film/dropped_samples.h"
-#include "film/exact_sum.h"
+#include "film/film_sums.h"
 #include "film/film_tile.h"
 #include "film/sensor.h"
 
@@ -32,13 +33,15 @@ void validate(const FilmOptions& options);
 /// a quotient by such a sum is noise, magnified more than 1 / kMinMeanWeight = 64 times.
 inline constexpr double kMinMeanWeight = 1.0 / 64.0;
 
-class Film {
+/// Sums is one of FilmSums; what is said of bits holds for ExactSums. Film, below, is the film of them.
+template <class Sums>
+class BasicFilm {
   public:
     /// \throws std::invalid_argument as validate() does.
-    explicit Film(const FilmOptions& options);
-    ~Film() = default;
-    Film(const Film&) = delete;
-    Film& operator=(const Film&) = delete;
+    explicit BasicFilm(const FilmOptions& options);
+    ~BasicFilm() = default;
+    BasicFilm(const BasicFilm&) = delete;
+    BasicFilm& operator=(const BasicFilm&) = delete;
 
     [[nodiscard]] const FilmOptions& options() const noexcept { return options_; }
     [[nodiscard]] const Sensor& sensor() const noexcept { return *sensor_; }
@@ -47,20 +50,20 @@ class Film {
 
     /// An empty tile. Tiles may overlap, may outlive the film, and any number may exist.
     /// \throws std::invalid_argument unless the bounds are not empty and lie inside the film.
-    [[nodiscard]] FilmTile make_tile(PixelBounds bounds) const;
+    [[nodiscard]] BasicFilmTile<Sums> make_tile(PixelBounds bounds) const;
 
     /// Adds a tile's sums to the film; the tile is left as it is, and merged twice it counts twice. Thread-safe.
-    /// Each sum is converted once to ExactSum: the result depends on the order of the samples within a tile, and not on
-    /// the order of merges, unless a sum saturates (saturated_pixels()).
+    /// The result does not depend on any order unless a sum saturates (saturated_pixels()).
     /// \throws std::invalid_argument if the tile's bounds do not lie inside the film.
-    void merge(const FilmTile& tile);
+    void merge(const BasicFilmTile<Sums>& tile);
 
     /// sum(weight XYZ) / sum(weight) of each pixel; 0 for pixels without a value, see pixels_without_value().
     [[nodiscard]] Image<XYZ> xyz_image() const;
 
     /// Pixels whose weight sum is below kMinMeanWeight * their number of samples, or that have no samples.
     [[nodiscard]] std::int64_t pixels_without_value() const;
-    /// Pixels with a sum that has left the range of ExactSum; their value is finite and wrong.
+    /// Pixels with a sum that has left its range, or with more than 2^32 - 2 samples: their value is wrong, and finite
+    /// if the sums are exact.
     [[nodiscard]] std::int64_t saturated_pixels() const;
 
     /// What was kept out of the tiles merged so far.
@@ -71,18 +74,20 @@ class Film {
     [[nodiscard]] std::uint64_t max_samples_per_pixel() const;
 
   private:
-    struct Pixel {
-        ExactSum x, y, z;  // sums of weight * XYZ
-        ExactSum weight;
-    };
-    [[nodiscard]] bool has_value(std::size_t i) const noexcept;
+    using Pixel = typename Sums::FilmPixel;
 
     FilmOptions options_;
     std::shared_ptr<const Sensor> sensor_;
     mutable std::mutex mutex_;  // guards all below
     std::vector<Pixel> pixels_;
-    std::vector<std::uint64_t> sample_counts_;
     DroppedSamples dropped_;
 };
+
+extern template class BasicFilm<ExactSums>;
+extern template class BasicFilm<DoubleSums>;
+extern template class BasicFilm<FloatSums>;
+extern template class BasicFilm<KahanFloatSums>;
+
+using Film = BasicFilm<ExactSums>;
 
 }  // namespace emulsion

@@ -1,8 +1,7 @@
 #pragma once
-// A rectangle of the film that one thread fills, without locks; Film::merge then adds it to the film.
+// A rectangle of the film that one thread fills, without locks; BasicFilm::merge then adds it to the film.
 
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,21 +11,20 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "film/dropped_samples.h"
+#include "film/film_sums.h"
 #include "film/sensor.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion {
 
-/// Weighted sums over the samples of one pixel, in call order.
-struct alignas(32) TilePixel {
-    double x = 0.0, y = 0.0, z = 0.0;  ///< sum of weight * XYZ
-    double weight = 0.0;               ///< sum of weights
-};
-
-/// Made by Film::make_tile. Pixels are named by their place in the film, not in the tile.
-class FilmTile {
+/// Made by BasicFilm::make_tile. Pixels are named by their place in the film, not in the tile. Sums is one of FilmSums.
+template <class Sums>
+class BasicFilmTile {
   public:
-    FilmTile(PixelBounds bounds, std::shared_ptr<const Sensor> sensor);
+    using Pixel = typename Sums::TilePixel;
+    static constexpr std::uint32_t kMostSamples = 1u << 31;
+
+    BasicFilmTile(PixelBounds bounds, std::shared_ptr<const Sensor> sensor);
 
     [[nodiscard]] const PixelBounds& bounds() const noexcept { return bounds_; }
 
@@ -48,8 +46,9 @@ class FilmTile {
     void clear() noexcept;
 
     /// Row by row, bounds().width() to a row.
-    [[nodiscard]] std::span<const TilePixel> pixels() const noexcept { return pixels_; }
-    /// The number of samples in each pixel, without the dropped ones; as many as pixels().
+    [[nodiscard]] std::span<const Pixel> pixels() const noexcept { return pixels_; }
+    /// The number of samples in each pixel, without the dropped ones; as many as pixels(). From kMostSamples on it is
+    /// not exact, and the film takes the pixel for saturated.
     [[nodiscard]] std::span<const std::uint32_t> sample_counts() const noexcept { return sample_counts_; }
     [[nodiscard]] const DroppedSamples& dropped() const noexcept { return dropped_; }
 
@@ -57,34 +56,40 @@ class FilmTile {
     /// A sample that is judged by this luminance.
     void accumulate(int x, int y, XYZ value, float luminance, float weight) noexcept {
         const std::size_t i = index(x, y);
-        const auto w = static_cast<double>(weight);
-        const double wx = w * static_cast<double>(value.x), wy = w * static_cast<double>(value.y),
-                     wz = w * static_cast<double>(value.z);
-        // Products of floats cannot overflow a double: the sum is finite if, and only if, all four numbers are.
-        if (!(luminance >= 0.0f && std::isfinite((wx + wy) + (wz + w)))) {
-            drop(x, y, value, weight);
-            return;
-        }
-        TilePixel& pixel = pixels_[i];
-        pixel.x += wx;
-        pixel.y += wy;
-        pixel.z += wz;
-        pixel.weight += w;
-        ++sample_counts_[i];
+        // Products of floats cannot overflow a double: they are finite if, and only if, all four numbers are.
+        const bool kept =
+            luminance >= 0.0f && pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y),
+                                                static_cast<double>(value.z), static_cast<double>(weight));
+        if (!kept) [[unlikely]]
+            return drop(x, y, value, weight);
+        if (++sample_counts_[i] % kCountsPerCarry == 0) [[unlikely]]
+            carry(i);
     }
 
     [[nodiscard]] std::size_t index(int x, int y) const noexcept {
         assert(x >= bounds_.x0 && x < bounds_.x1 && y >= bounds_.y0 && y < bounds_.y1);
-        return static_cast<std::size_t>(y - bounds_.y0) * static_cast<std::size_t>(bounds_.width()) +
-               static_cast<std::size_t>(x - bounds_.x0);
+        return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(y) * width_ + x - first_);
     }
+    /// Makes room in the sums and the count of a pixel.
+    void carry(std::size_t i) noexcept;
     void drop(int x, int y, XYZ value, float weight) noexcept;
 
+    static constexpr std::uint32_t kCountsPerCarry = 1u << 27;
+    static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
+
     PixelBounds bounds_;
+    std::ptrdiff_t width_, first_;  // pixel (x, y) is y width_ + x - first_
     std::shared_ptr<const Sensor> sensor_;
-    std::vector<TilePixel> pixels_;
+    std::vector<Pixel> pixels_;
     std::vector<std::uint32_t> sample_counts_;
     DroppedSamples dropped_;
 };
+
+extern template class BasicFilmTile<ExactSums>;
+extern template class BasicFilmTile<DoubleSums>;
+extern template class BasicFilmTile<FloatSums>;
+extern template class BasicFilmTile<KahanFloatSums>;
+
+using FilmTile = BasicFilmTile<ExactSums>;
 
 }  // namespace emulsion

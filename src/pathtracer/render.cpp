@@ -15,8 +15,7 @@ namespace emulsion {
 
 namespace {
 
-/// Tiles are summed in double precision over one round of samples and then added to the film exactly. Both numbers are
-/// part of what makes a picture reproducible to the bit: they must not depend on the machine.
+/// Neither shows in the picture: the film's sums are exact.
 constexpr int kTileSize_px = 16;
 constexpr int kSamplesPerRound = 16;
 

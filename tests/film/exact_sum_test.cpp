@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -15,27 +16,32 @@ namespace emulsion {
 namespace {
 
 TEST(ExactSum, HoldsRepresentableNumbersExactly) {
-    for (const double value : {0.0, 1.0, -1.0, 0.1, 1e9, -123456.789, 0x1p-64, 3 * 0x1p-64, 0x1p62,
-                               0x1.fffffffffffffp62, -0x1.fffffffffffffp62, 0x1.fffffffffffffp-12}) {
+    for (const double value : {0.0, 1.0, -1.0, 0x1.999ap-10, 1e9, -123456.75, 0x1p-44, 3 * 0x1p-44, 0x1p50,
+                               0x1.fffffffffffffp50, -0x1.fffffffffffffp50, 0x1.fffffffffffffp8}) {
         EXPECT_EQ(ExactSum(value).value(), value);
     }
+    EXPECT_EQ(ExactSum::kResolution, 0x1p-44);
+    EXPECT_EQ(ExactSum::kLimit, 0x1p51);
+    EXPECT_EQ(ExactWeightSum::kResolution, 0x1p-30);
+    EXPECT_EQ(ExactWeightSum::kLimit, 0x1p33);
+    EXPECT_EQ(ExactWeightSum(-0x1.fffffffffffffp32).value(), -0x1.fffffffffffffp32);
 }
 
 TEST(ExactSum, RoundsSmallNumbersToTheNearestMultiple) {
-    EXPECT_EQ(ExactSum(0.75 * 0x1p-64).value(), 0x1p-64);
-    EXPECT_EQ(ExactSum(-0.75 * 0x1p-64).value(), -0x1p-64);
-    EXPECT_EQ(ExactSum(0.25 * 0x1p-64).value(), 0.0);
-    EXPECT_EQ(ExactSum(2.5 * 0x1p-64).value(), 2 * 0x1p-64) << "ties go to even";
-    EXPECT_EQ(ExactSum(3.5 * 0x1p-64).value(), 4 * 0x1p-64);
+    EXPECT_EQ(ExactSum(0.75 * 0x1p-44).value(), 0x1p-44);
+    EXPECT_EQ(ExactSum(-0.75 * 0x1p-44).value(), -0x1p-44);
+    EXPECT_EQ(ExactSum(0.25 * 0x1p-44).value(), 0.0);
+    EXPECT_EQ(ExactSum(2.5 * 0x1p-44).value(), 2 * 0x1p-44) << "ties go to even";
+    EXPECT_EQ(ExactSum(3.5 * 0x1p-44).value(), 4 * 0x1p-44);
 }
 
-// In doubles 2^62 + 2^-64 - 2^62 is 0.
+// In doubles 2^50 + 2^-44 - 2^50 is 0.
 TEST(ExactSum, LosesNothingToMagnitude) {
     ExactSum sum;
-    sum += ExactSum(0x1p62);
-    sum += ExactSum(0x1p-64);
-    sum += ExactSum(-0x1p62);
-    EXPECT_EQ(sum.value(), 0x1p-64);
+    sum += ExactSum(0x1p50);
+    sum += ExactSum(0x1p-44);
+    sum += ExactSum(-0x1p50);
+    EXPECT_EQ(sum.value(), 0x1p-44);
 }
 
 TEST(ExactSum, DoesNotDependOnOrder) {
@@ -43,7 +49,7 @@ TEST(ExactSum, DoesNotDependOnOrder) {
     std::vector<double> terms;
     terms.reserve(1000);
     for (int i = 0; i < 1000; ++i) {
-        terms.push_back(std::ldexp(static_cast<double>(random.next_float()) - 0.4, i % 120 - 60));
+        terms.push_back(std::ldexp(static_cast<double>(random.next_float()) - 0.4, i % 84 - 40));
     }
     ExactSum forwards;
     for (const double term : terms) forwards += ExactSum(term);
@@ -60,32 +66,56 @@ TEST(ExactSum, DoesNotDependOnOrder) {
     EXPECT_TRUE(doubles_differ) << "the terms are too tame for this test to say anything";
 }
 
-TEST(ExactSum, SaturatesAndStaysThere) {
-    EXPECT_TRUE(ExactSum(0x1p63).is_saturated());
-    EXPECT_TRUE(ExactSum(-1e300).is_saturated());
-    EXPECT_TRUE(ExactSum(std::numeric_limits<double>::infinity()).is_saturated());
-    EXPECT_TRUE(ExactSum(std::numeric_limits<double>::quiet_NaN()).is_saturated());
-    EXPECT_FALSE(ExactSum(0x1.fffffffffffffp62).is_saturated());
+template <class Sum>
+class FixedPointWidths : public ::testing::Test {};
+using Widths = ::testing::Types<ExactSum, ExactWeightSum, FixedPointSum<128, 48>>;
+TYPED_TEST_SUITE(FixedPointWidths, Widths);
 
-    ExactSum sum(0x1p62);
-    sum += ExactSum(0x1p62);
-    EXPECT_TRUE(sum.is_saturated());
-    EXPECT_EQ(sum.value(), 0x1p63) << "not wrapped";
-    sum += ExactSum(-0x1p62);
-    EXPECT_TRUE(sum.is_saturated());
-    EXPECT_EQ(sum.value(), 0x1p63);
+TYPED_TEST(FixedPointWidths, SaturatesAndStaysThere) {
+    using Sum = TypeParam;
+    constexpr double kLimit = Sum::kLimit;
+    EXPECT_TRUE(Sum(kLimit).is_saturated());
+    EXPECT_TRUE(Sum(-1e300).is_saturated());
+    EXPECT_TRUE(Sum(std::numeric_limits<double>::infinity()).is_saturated());
+    EXPECT_TRUE(Sum(std::numeric_limits<double>::quiet_NaN()).is_saturated());
+    EXPECT_FALSE(Sum(0.999 * kLimit).is_saturated());
 
-    ExactSum low(-0x1p62);
-    low += ExactSum(-0x1.8p62);
+    Sum sum(0.5 * kLimit);
+    sum += Sum(0.25 * kLimit);
+    EXPECT_FALSE(sum.is_saturated());
+    EXPECT_EQ(sum.value(), 0.75 * kLimit) << "sums beyond the half are sums, too";
+    sum += Sum(0.25 * kLimit);
+    EXPECT_TRUE(sum.is_saturated());
+    EXPECT_EQ(sum.value(), kLimit) << "not wrapped";
+    sum += Sum(-0.5 * kLimit);
+    EXPECT_TRUE(sum.is_saturated());
+    EXPECT_EQ(sum.value(), kLimit);
+
+    Sum low(-0.5 * kLimit);
+    low += Sum(-0.75 * kLimit);
     EXPECT_TRUE(low.is_saturated());
-    EXPECT_EQ(low.value(), -0x1p63);
+    EXPECT_EQ(low.value(), -kLimit);
+    low += Sum(kLimit);
+    EXPECT_EQ(low.value(), -kLimit) << "the first end that it met";
 }
 
-TEST(ExactSum, TakesOverSaturation) {
-    ExactSum sum(1.0);
-    sum += ExactSum(-1e30);
+TYPED_TEST(FixedPointWidths, TakesOverSaturation) {
+    TypeParam sum(1.0);
+    sum += TypeParam(-1e300);
     EXPECT_TRUE(sum.is_saturated());
-    EXPECT_EQ(sum.value(), -0x1p63);
+    EXPECT_EQ(sum.value(), -TypeParam::kLimit);
+}
+
+TYPED_TEST(FixedPointWidths, SumsAreThoseOfIntegers) {
+    Pcg32 random(2);
+    TypeParam sum;
+    Int128 expected = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Int128 units = static_cast<std::int32_t>(random.next()) * (Int128{1} << (random.next() % 20u));
+        sum.add_units(units);
+        expected += units;
+        ASSERT_EQ(sum, TypeParam::from_units(expected));
+    }
 }
 
 }  // namespace

@@ -1,0 +1,126 @@
+#include "film/exact_tile_pixel.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "film/exact_film_pixel.h"
+
+namespace emulsion {
+namespace {
+
+/// The specification: every term is rounded on its own, by ExactSum, and then all are added up.
+struct SlowPixel {
+    ExactSum x, y, z;
+    ExactWeightSum weight;
+    void add(double x_value, double y_value, double z_value, double w) {
+        x += ExactSum(w * x_value);
+        y += ExactSum(w * y_value);
+        z += ExactSum(w * z_value);
+        weight += ExactWeightSum(w);
+    }
+    [[nodiscard]] WeightedSums sums() const { return {{x.value(), y.value(), z.value()}, weight.value()}; }
+};
+
+/// Of either sign, of sizes from far below the resolution to `largest`.
+double wild(Pcg32& random, int largest_exponent) {
+    const auto mantissa = static_cast<double>(random.next()) * 0x1p-32 + static_cast<double>(random.next()) * 0x1p-64;
+    const int exponent = static_cast<int>(random.next() % static_cast<std::uint32_t>(60 + largest_exponent)) - 60;
+    return std::ldexp(random.next() % 4u == 0 ? -mantissa : mantissa, exponent);
+}
+
+TEST(ExactTilePixel, SumsAreThoseOfRoundedTerms) {
+    for (const int largest_exponent : {0, 10, 23, 26, 38}) {  // quick terms, large ones, and both
+        Pcg32 random(static_cast<std::uint64_t>(largest_exponent));
+        ExactTilePixel pixel;
+        SlowPixel slow;
+        for (int i = 0; i < 4000; ++i) {
+            const double x = wild(random, largest_exponent), y = wild(random, largest_exponent),
+                         z = wild(random, largest_exponent), weight = wild(random, 2);
+            ASSERT_TRUE(pixel.add(x, y, z, weight));
+            slow.add(x, y, z, weight);
+            ASSERT_EQ(pixel.sums(), slow.sums()) << i;
+            if (i % 1000 == 999) pixel.carry();
+            ASSERT_EQ(pixel.sums(), slow.sums()) << "carried";
+        }
+        EXPECT_FALSE(slow.x.is_saturated());
+    }
+}
+
+// Ties of both parts: halves of the resolution, beside a multiple of it.
+TEST(ExactTilePixel, TiesGoToEven) {
+    for (const double value : {2.5 * 0x1p-44, 3.5 * 0x1p-44, -2.5 * 0x1p-44, 1.5 * 0x1p-9 + 2.5 * 0x1p-44,
+                               0x1p-10 + 0x1p-45, -0x1p-10 - 0x1p-45, 3 * 0x1p-10 + 0x1.8p-44, 0.5 * 0x1p-44}) {
+        ExactTilePixel pixel;
+        pixel.add(value, -value, 0.0, 1.0);
+        EXPECT_EQ(pixel.sums().xyz.x, ExactSum(value).value()) << value;
+        EXPECT_EQ(pixel.sums().xyz.y, -ExactSum(value).value()) << value;
+    }
+}
+
+TEST(ExactTilePixel, RefusesWhatIsNotFinite) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    ExactTilePixel pixel;
+    pixel.add(1.0, 2.0, 3.0, 0.5);
+    const WeightedSums before = pixel.sums();
+    for (const double bad : {nan, infinity, -infinity}) {
+        EXPECT_FALSE(pixel.add(bad, 1.0, 1.0, 1.0));
+        EXPECT_FALSE(pixel.add(1.0, bad, 1.0, 1.0));
+        EXPECT_FALSE(pixel.add(1.0, 1.0, bad, 1.0));
+        EXPECT_FALSE(pixel.add(1.0, 1.0, 1.0, bad));
+        EXPECT_FALSE(pixel.add(0.0, bad, -bad, 1e30));
+    }
+    EXPECT_EQ(pixel.sums(), before);
+}
+
+TEST(ExactTilePixel, SaturatesChannelByChannelAndStaysThere) {
+    ExactTilePixel pixel;
+    pixel.add(0x1p51, -1e40, 5.0, 1.0);
+    for (int i = 0; i < 3; ++i) {
+        pixel.add(-0x1p50, 0x1p50, 1.0, 1.0);
+        pixel.add(-1e4, 1e4, 1.0, 1.0);
+        pixel.carry();
+    }
+    EXPECT_EQ(pixel.sums(), (WeightedSums{{0x1p51, -0x1p51, 11.0}, 7.0}));
+    ExactFilmPixel film;
+    film.add(pixel, 7);
+    EXPECT_TRUE(film.is_saturated());
+
+    ExactTilePixel heavy;
+    heavy.add(0.0, 0.0, 0.0, 0x1p33);
+    film = {};
+    film.add(heavy, 1);
+    EXPECT_TRUE(film.is_saturated());
+}
+
+// Two tiles whose sums are within the range, and beyond it together.
+TEST(ExactTilePixel, FilmPixelSaturatesWhereTilesDoNot) {
+    ExactTilePixel tile;
+    tile.add(0x1.8p50, 1.0, 1.0, 1.0);
+    ExactFilmPixel film;
+    film.add(tile, 1);
+    EXPECT_FALSE(film.is_saturated());
+    film.add(tile, 1);
+    EXPECT_TRUE(film.is_saturated());
+    EXPECT_EQ(film.sums().xyz.x, 0x1p51);
+    EXPECT_EQ(film.sums().xyz.y, 2.0);
+}
+
+TEST(ExactTilePixel, FilmCountsSamplesUpToItsLimit) {
+    ExactFilmPixel film;
+    film.add({}, 4000000000u);
+    EXPECT_FALSE(film.is_saturated());
+    film.add({}, 294967294u);
+    EXPECT_EQ(film.samples(), 4294967294u);
+    EXPECT_FALSE(film.is_saturated());
+    film.add({}, 4000000000u);
+    EXPECT_EQ(film.samples(), 4294967295u) << "not wrapped";
+    EXPECT_TRUE(film.is_saturated());
+}
+
+}  // namespace
+}  // namespace emulsion
