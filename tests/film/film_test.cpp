@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "film/filter_examples.h"
 #include "film/filter_sampler.h"
+#include "filter_examples.h"
 #include "spectrum/observer.h"
 #include "spectrum/wavelength_sampling.h"
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "film/filter_examples.h"
+#include "filter_examples.h"
 
 namespace emulsion {
 namespace {

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "film/filter_examples.h"
+#include "filter_examples.h"
 
 namespace emulsion {
 namespace {
