@@ -11,7 +11,8 @@
 
 namespace emulsion {
 
-__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): __extension__ takes no alias
+__extension__ typedef __int128 Int128;            // NOLINT(modernize-use-using): __extension__ takes no alias
+__extension__ typedef unsigned __int128 UInt128;  // NOLINT(modernize-use-using)
 
 /// A multiple of 2^-FractionBits in (-kLimit, kLimit). Addition is that of integers: associative and commutative,
 /// without rounding. In memory a two's complement number of `Bits` bits, in words of 32, the lowest first.
@@ -75,7 +76,7 @@ class FixedPointSum {
     /// Within a quarter of the range: two such numbers add up to one of the range.
     [[nodiscard]] static bool is_small(Int128 units) noexcept {
         constexpr int kSmallBits = Bits - 3;
-        return ((units + (Int128{1} << kSmallBits)) >> (kSmallBits + 1)) == 0;
+        return ((static_cast<UInt128>(units) + (UInt128{1} << kSmallBits)) >> (kSmallBits + 1)) == 0;
     }
     [[nodiscard]] static Int128 clamped(Int128 units) noexcept {
         return units > kHighest ? kHighest : (units < -kHighest ? -kHighest : units);
