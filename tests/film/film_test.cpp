@@ -35,9 +35,9 @@ TEST(Film, ValidatesItsOptions) {
         EXPECT_THAT([&] { const Film film(bad); },
                     ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(message), HasSubstr("expected"))));
     };
-    expect_refused({0, 4, 1.0}, "width_px is 0");
-    expect_refused({4, -3, 1.0}, "height_px is -3");
-    expect_refused({65537, 4, 1.0}, "width_px is 65537");
+    expect_refused({.width_px = 0, .height_px = 4}, "width_px is 0");
+    expect_refused({.width_px = 4, .height_px = -3}, "height_px is -3");
+    expect_refused({.width_px = 65537, .height_px = 4}, "width_px is 65537");
     EXPECT_THROW(Film({4, 4, {.iso = 0.0}}), std::invalid_argument);
 }
 
@@ -232,8 +232,8 @@ void add_by_tiles(Film& film, const std::vector<PlacedSample>& samples, int tile
         }
     }
     for (const PlacedSample& sample : samples) {
-        tiles[static_cast<std::size_t>(sample.y / tile_px * columns + sample.x / tile_px)].add(
-            sample.x, sample.y, sample.value, sample.weight);
+        const int tile = sample.y / tile_px * columns + sample.x / tile_px;
+        tiles[static_cast<std::size_t>(tile)].add(sample.x, sample.y, sample.value, sample.weight);
     }
     for (const FilmTile& tile : tiles) film.merge(tile);
 }
