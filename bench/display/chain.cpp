@@ -17,6 +17,7 @@
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
 #include "display/transfer_encoder.h"
+#include "support/alternatives.h"
 
 namespace emulsion {
 namespace {
@@ -36,19 +37,6 @@ const Image<XYZ>& display_xyz() {
         return image;
     }();
     return picture;
-}
-
-/// The alternative whose number is the benchmark's argument; its name becomes the label.
-template <NamedVariant Variant>
-Variant alternative_of_range(benchmark::State& state) {
-    Variant found;
-    std::int64_t number = 0;
-    for_each_alternative<Variant>([&](const auto& chosen) {
-        if (number++ != state.range(0)) return;
-        found = chosen;
-        state.SetLabel(std::string(chosen.kName));
-    });
-    return found;
 }
 
 /// What `stages` stages after XYZ give: 1 linear RGB, 2 in the gamut, 3 encoded.

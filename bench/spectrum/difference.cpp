@@ -16,6 +16,7 @@
 #include "spectrum/chromatic_adaptation.h"
 #include "spectrum/color_difference.h"
 #include "spectrum/itp_difference.h"
+#include "support/alternatives.h"
 
 namespace emulsion {
 namespace {
@@ -29,19 +30,6 @@ std::vector<Lab> colours() {
     std::vector<Lab> all(kColours);
     for (Lab& lab : all) lab = {100.0 * unit(), 160.0 * unit() - 80.0, 160.0 * unit() - 80.0};
     return all;
-}
-
-/// The alternative whose number is the benchmark's argument; its name becomes the label.
-template <NamedVariant Variant>
-Variant alternative_of_range(benchmark::State& state) {
-    Variant found;
-    std::int64_t number = 0;
-    for_each_alternative<Variant>([&](const auto& chosen) {
-        if (number++ != state.range(0)) return;
-        found = chosen;
-        state.SetLabel(std::string(chosen.kName));
-    });
-    return found;
 }
 
 template <NamedVariant Variant>

@@ -36,8 +36,8 @@ check_own() {
     local file=$1 where=$2 room=$3 header=$4 from=${4%%/*}
     if [[ $header != */* && $file != src/* && -f ${file%/*}/$header ]]; then
         return  # what the tests of one folder share lies beside them
-    elif [[ $from == support && $file == tests/* && -f tests/$header ]]; then
-        return  # and what the tests of several folders share in tests/support
+    elif [[ $from == support && $file != src/* && -f ${file%%/*}/$header ]]; then
+        return  # and what the tests or benchmarks of several folders share in their support folder
     elif [[ $header != */* || $header == ./* || $header == ../* ]]; then
         complain "$where: \"$header\": expected a path from src, such as \"core/image.h\""
     elif [[ $from != "$room" && ${allowed[$room]} != *" $from "* ]]; then
@@ -56,7 +56,7 @@ check_library() {
 }
 while IFS=: read -r file line text; do
     IFS=/ read -r _ room _ <<<"$file"
-    [[ $file != tests/support/* ]] || room=core  # it may use what every test may
+    [[ $file != @(tests|bench)/support/* ]] || room=core  # they may use what all may
     if [[ -z ${allowed[$room]-} ]]; then
         [[ $file == src/* ]] || complain "$file:$line: $room is no folder of src"
     elif [[ $text =~ include[[:space:]]*\"([^\"]*)\" ]]; then

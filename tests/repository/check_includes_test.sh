@@ -49,6 +49,7 @@ plant src/develop/planted.cpp '#include "pathtracer/scene.h"' 'develop may inclu
 plant tests/tonemap/planted_test.cpp '#include "film/film.h"' 'tonemap may include: core'
 plant bench/core/planted.cpp '#include "spectrum/spectrum.h"' 'core may include:'
 plant src/film/planted.cpp '#include "support/temporary_folder.h"' 'film may include: core spectrum'
+plant bench/support/planted.h '#include "film/film.h"' 'core may include:'
 plant tests/support/planted.h '#include "film/film.h"' 'core may include:'
 plant src/film/planted.cpp '#include "filter.h"' 'expected a path from src'
 plant src/film/planted.cpp '#include "../tonemap/tone_mapper.h"' 'expected a path from src'
