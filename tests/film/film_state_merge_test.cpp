@@ -70,9 +70,7 @@ template <class... Words>
 void expect_refused(const FilmState& a, const FilmState& b, const Words&... words) {
     for (const auto& [to, from] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
         FilmState state = *to;
-        EXPECT_THAT([&] {
-            merge(state, *from); },
-                    ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(words)...))));
+        EXPECT_THAT([&] { merge(state, *from); }, ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(words)...)));
         EXPECT_TRUE(state == *to);
     }
 }
