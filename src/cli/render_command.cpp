@@ -151,7 +151,7 @@ RenderCommand::RenderCommand(CLI::App& program)
     CLI::Option* exr_option =
         command_
             ->add_option("-o,--output", options.exr,
-                         "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
+                         "Scene-referred EXR, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
             ->option_text("FILE");
     exr_option->check(ends_in_exr);
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
