@@ -1,7 +1,9 @@
 // Files of several parts, of which the first with a picture counts.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
+#include "core/named_value.h"
 #include "core/random.h"
 #include "exr_fixture.h"
 #include "film/exr_file.h"
@@ -129,33 +132,61 @@ TEST_F(ExrFile, TruncatedPartsAreRefusedWhereverTheyEnd) {
     }
 }
 
-// Random bytes in the headers and the tables of chunks, and anywhere: an IoError or a picture of the size that the file
-// can hold, no crash.
-TEST_F(ExrFile, RandomDamageToPartsNeverCrashes) {
-    Pcg32 random(5);
-    for (const ExrCompression& compression :
-         {ExrCompression(NoCompression{}), ExrCompression(ZipCompression{}), ExrCompression(PizCompression{}),
-          ExrCompression(Pxr24Compression{}), ExrCompression(DwaaCompression{})}) {
-        write_parts(file("whole.exr"), compression);
-        const std::string whole = read_text(file("whole.exr"));
-        int refused = 0;
-        for (int trial = 0; trial < 600; ++trial) {
-            std::string damaged = whole;
-            const std::size_t end = trial % 2 == 0 ? std::size_t{1500} : whole.size();
-            for (int i = 0; i <= trial % 3; ++i) {
-                damaged[random.next() % std::min(end, whole.size())] = static_cast<char>(random.next() & 0xffu);
-            }
-            write_bytes(file("bad.exr"), damaged);
-            try {
-                const FilmImage read = read_exr(file("bad.exr"));
-                ASSERT_LE(read.xyz.pixels().size(), std::size_t{1} << 24u);
-            } catch (const IoError& error) {
-                ++refused;
-                ASSERT_EQ(error.path(), file("bad.exr"));
-            }
+/// The bytes with the value of the last attribute of this name and type replaced by these words.
+std::string with_attribute(std::string bytes, const std::string& name, const std::string& type,
+                           const std::vector<std::int32_t>& words) {
+    const std::string before = name + '\0' + type + '\0';
+    const std::size_t at = bytes.rfind(before);
+    EXPECT_NE(at, std::string::npos) << name;
+    if (at != std::string::npos) std::memcpy(&bytes[at + before.size() + 4], words.data(), 4 * words.size());
+    return bytes;
+}
+
+TEST_F(ExrFile, AbsurdSizesOfAnyPartAreRefusedBeforeAnyAllocation) {
+    write_parts(file("whole.exr"), ZipCompression{});
+    const std::string whole = read_text(file("whole.exr"));
+    const auto refused = [&](const std::string& bytes) {
+        write_bytes(file("bad.exr"), bytes);
+        EXPECT_THAT([&] { static_cast<void>(read_exr(file("bad.exr"))); },
+                    throws_io_error(file("bad.exr"), HasSubstr("pixels")));
+    };
+    refused(with_attribute(whole, "dataWindow", "box2i", {0, 0, 99999, 99999}));
+    refused(with_attribute(whole, "dataWindow", "box2i", {0, 0, -1, -1}));
+    refused(with_attribute(whole, "chunkCount", "int", {1 << 30}));
+    refused(with_attribute(whole, "dataWindow", "box2i", {0, 0, 0, (1 << 30) - 2}));
+}
+
+/// Random bytes in the headers and the tables of chunks, and anywhere: an IoError or a picture of a size that the file
+/// can hold, no crash. Returns how many were refused.
+int refused_of(int trials, const std::string& whole, const fs::path& bad, Pcg32& random) {
+    int refused = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::string damaged = whole;
+        const std::size_t end = std::min(trial % 2 == 0 ? std::size_t{2500} : whole.size(), whole.size());
+        for (int i = 0; i <= trial % 3; ++i) damaged[random.next() % end] = static_cast<char>(random.next() & 0xffu);
+        write_bytes(bad, damaged);
+        try {
+            const FilmImage read = read_exr(bad);
+            EXPECT_LE(read.xyz.pixels().size(), std::size_t{1} << 24u);
+        } catch (const IoError& error) {
+            ++refused;
+            EXPECT_EQ(error.path(), bad);
         }
-        EXPECT_GT(refused, 100);
     }
+    return refused;
+}
+
+TEST_F(ExrFile, RandomDamageToPartsAndLayersNeverCrashes) {
+    Pcg32 random(5);
+    for_each_alternative<ExrCompression>([&](const auto& compression) {
+        SCOPED_TRACE(compression.kName);
+        write_parts(file("parts.exr"), compression);
+        EXPECT_GT(refused_of(400, read_text(file("parts.exr")), file("bad.exr"), random), 50);
+        for (const PixelType type : {PixelType::float32, PixelType::half}) {
+            write_exr(file("layers.exr"), film_picture(), metadata(), {.pixel_type = type, .compression = compression});
+            EXPECT_GT(refused_of(200, read_text(file("layers.exr")), file("bad.exr"), random), 20);
+        }
+    });
 }
 
 }  // namespace
