@@ -176,6 +176,7 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace emulsion
 
 /// In the place of the C library's, for both: measures what it takes.
+// NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): the library's name is a reserved one
 extern "C" int fsync(int descriptor) {
     const auto start = std::chrono::steady_clock::now();
     const auto result = static_cast<int>(::syscall(SYS_fsync, descriptor));
