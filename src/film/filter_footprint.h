@@ -89,9 +89,9 @@ class FilterFootprint {
     };
 
     static void four_cubics(const float* c, float t, float* weights) noexcept {
-        using Float4 [[gnu::vector_size(16), gnu::aligned(4)]] = float;
-        const auto four = [c](int i) { return *reinterpret_cast<const Float4*>(c + 4 * i); };
-        *reinterpret_cast<Float4*>(weights) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
+        using Unaligned4 [[gnu::vector_size(16), gnu::aligned(4)]] = float;
+        const auto four = [c](int i) { return *reinterpret_cast<const Unaligned4*>(c + 4 * i); };
+        *reinterpret_cast<Unaligned4*>(weights) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
     }
 
     [[nodiscard]] AxisTable make_table(FilterAxis axis) const;
