@@ -20,6 +20,8 @@
 #include "film/exr_file.h"
 #include "film/exr_header_check.h"
 #include "film/exr_layers.h"
+#include "film/exr_messages.h"
+#include "film/exr_metadata.h"
 #include "film/exr_read_header.h"
 #include "film/exr_threads.h"
 
@@ -100,7 +102,7 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
     const auto space = space_of(header, names, image.notes);
     image.white_luminance_cdm2 = white_luminance_cdm2(header, image.notes);
     const ChannelDecoder decoder(space, image.white_luminance_cdm2);
-    image.metadata = metadata_of(header, image.notes);
+    image.metadata = read_metadata(header, image.notes);
 
     Imf::InputPart in(file, part);
     in.setFrameBuffer(places_of(header, names, spectral_names, image));
@@ -113,17 +115,6 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
     return image;
 }
 
-/// OpenEXR names the file in the middle of its messages, and may use several lines; ours has the name before it.
-std::string plain_reason(std::string message, const std::string& path) {
-    if (const auto at = message.find("\"" + path + "\". "); at != std::string::npos) {
-        message = "cannot read: " + message.substr(at + path.size() + 4);
-    }
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    }
-    return message;
-}
-
 }  // namespace
 
 FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& options) {
@@ -134,7 +125,7 @@ FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& opti
         Imf::MultiPartInputFile file(path.c_str(), exr_threads, kReconstructChunkTable);
         return read_checked(file, options);
     } catch (const std::exception& error) {
-        throw IoError(path, plain_reason(error.what(), path.string()));
+        throw IoError(path, exr_reason(error, path));
     }
 }
 

@@ -42,8 +42,9 @@ int choose_part(const Imf::MultiPartInputFile& file) {
 
 void note_other_parts(const Imf::MultiPartInputFile& file, int chosen, std::vector<std::string>& notes) {
     for (int part = 0; part < file.parts(); ++part) {
-        if (part == chosen) continue;
         const Imf::Header& header = file.header(part);
+        // The sums of a film state are no picture.
+        if (part == chosen || header.findTypedAttribute<Imf::StringAttribute>(kFilmStateVersionAttribute)) continue;
         notes.push_back("part " + (header.hasName() ? "\"" + header.name() + "\"" : std::to_string(part)) +
                         " was left out");
     }
@@ -86,16 +87,6 @@ double white_luminance_cdm2(const Imf::Header& header, std::vector<std::string>&
     if (std::isfinite(value) && value > 0.0) return value;
     notes.push_back("whiteLuminance is " + std::to_string(value) + ", no luminance: taken as 1 cd/m^2");
     return 1.0;
-}
-
-FilmMetadata metadata_of(const Imf::Header& header, std::vector<std::string>& notes) {
-    FilmMetadata metadata;
-    for_each_metadata_field(metadata, [&](const char* name, auto& value) {
-        const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
-        if (!attribute || parse_attribute(attribute->value(), value)) return;
-        notes.push_back(std::string(name) + " is \"" + attribute->value() + "\", expected a whole number: left out");
-    });
-    return metadata;
 }
 
 void place_in_frame(const Imf::Header& header, FilmPicture& picture) {
