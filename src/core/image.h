@@ -15,8 +15,22 @@ struct PixelBounds {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] constexpr int width() const noexcept { return x1 - x0; }
     [[nodiscard]] constexpr int height() const noexcept { return y1 - y0; }
+    [[nodiscard]] constexpr bool contains(int x, int y) const noexcept {
+        return x >= x0 && x < x1 && y >= y0 && y < y1;
+    }
+    /// Whether `inside` has pixels, and all of them are here.
+    [[nodiscard]] constexpr bool contains(const PixelBounds& inside) const noexcept {
+        return x0 <= inside.x0 && inside.x0 < inside.x1 && inside.x1 <= x1 &&  //
+               y0 <= inside.y0 && inside.y0 < inside.y1 && inside.y1 <= y1;
+    }
     bool operator==(const PixelBounds&) const = default;
 };
+
+/// "[0, 4) x [0, 3)": x, then y.
+[[nodiscard]] inline std::string to_string(const PixelBounds& bounds) {
+    return "[" + std::to_string(bounds.x0) + ", " + std::to_string(bounds.x1) + ") x [" + std::to_string(bounds.y0) +
+           ", " + std::to_string(bounds.y1) + ")";
+}
 
 /// Pixels that belong to someone else: contiguous rows without padding.
 template <class T>

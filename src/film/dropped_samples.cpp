@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <sstream>
+#include <stdexcept>
 #include <tuple>
 
 namespace emulsion {
@@ -60,6 +62,27 @@ void DroppedSamples::merge(const DroppedSamples& other) noexcept {
     std::sort(both.begin(), end, is_before);
     first_count_ = std::min(kReported, first_count_ + other.first_count_);
     std::copy_n(both.begin(), first_count_, first_.begin());
+}
+
+DroppedSamples DroppedSamples::restored(const std::array<std::uint64_t, 3>& counts,
+                                        std::span<const DroppedSample> first) {
+    DroppedSamples dropped;
+    for (const DroppedSample& sample : first) dropped.add(sample);
+    const bool fits = first.size() <= kReported &&
+                      std::equal(dropped.counts_.begin(), dropped.counts_.end(), counts.begin(), std::less_equal<>());
+    if (!fits) {
+        throw std::invalid_argument("dropped samples: " + std::to_string(first.size()) +
+                                    " are reported, expected at most " + std::to_string(kReported) +
+                                    ", and no more of a kind than are counted");
+    }
+    dropped.counts_ = counts;
+    return dropped;
+}
+
+bool operator==(const DroppedSamples& a, const DroppedSamples& b) noexcept {
+    return a.counts_ == b.counts_ &&
+           std::equal(a.first().begin(), a.first().end(), b.first().begin(), b.first().end(),
+                      [](const DroppedSample& x, const DroppedSample& y) { return order_of(x) == order_of(y); });
 }
 
 }  // namespace emulsion

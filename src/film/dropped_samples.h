@@ -42,6 +42,14 @@ class DroppedSamples {
     void add(const DroppedSample& sample) noexcept;
     void merge(const DroppedSamples& other) noexcept;
 
+    /// As another object reported it: for reading from files. At most kReported samples, in reading order.
+    /// \throws std::invalid_argument if there are more of them, or more than are counted.
+    [[nodiscard]] static DroppedSamples restored(const std::array<std::uint64_t, 3>& counts,
+                                                 std::span<const DroppedSample> first);
+
+    /// Counts and first samples are the same, bit for bit.
+    friend bool operator==(const DroppedSamples& a, const DroppedSamples& b) noexcept;
+
   private:
     std::array<std::uint64_t, 3> counts_{};  // by kind
     std::array<DroppedSample, kReported> first_{};

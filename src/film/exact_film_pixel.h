@@ -18,6 +18,13 @@ class ExactFilmPixel {
         weight_.add_units(tile.weight_units());
         samples_.add(samples);
     }
+    void merge(const ExactFilmPixel& other) noexcept {
+        x_ += other.x_;
+        y_ += other.y_;
+        z_ += other.z_;
+        weight_ += other.weight_;
+        samples_.add(other.samples());
+    }
 
     [[nodiscard]] WeightedSums sums() const noexcept { return {{x_.value(), y_.value(), z_.value()}, weight_.value()}; }
     [[nodiscard]] std::uint32_t samples() const noexcept { return samples_.count(); }

@@ -2,36 +2,40 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace emulsion {
 
 namespace {
 
-void require_size(const char* field, int value) {
-    constexpr int kLargest = 65536;
-    if (value >= 1 && value <= kLargest) return;
-    throw std::invalid_argument(std::string("film: ") + field + " is " + std::to_string(value) +
-                                ", expected a number in [1, " + std::to_string(kLargest) + "]");
-}
-
-std::string to_string(const PixelBounds& bounds) {
-    return "[" + std::to_string(bounds.x0) + ", " + std::to_string(bounds.x1) + ") x [" + std::to_string(bounds.y0) +
-           ", " + std::to_string(bounds.y1) + ")";
-}
-
-void require_inside(const PixelBounds& bounds, const PixelBounds& film) {
-    const bool inside = film.x0 <= bounds.x0 && bounds.x0 < bounds.x1 && bounds.x1 <= film.x1 &&  //
-                        film.y0 <= bounds.y0 && bounds.y0 < bounds.y1 && bounds.y1 <= film.y1;
-    if (inside) return;
-    throw std::invalid_argument("film tile: bounds are " + to_string(bounds) + ", expected pixels inside " +
+void require_inside(const PixelBounds& places, const PixelBounds& film) {
+    if (film.contains(places)) return;
+    throw std::invalid_argument("film tile: bounds are " + to_string(places) + ", expected pixels inside " +
                                 to_string(film));
 }
 
-bool has_value(const WeightedSums& sums, std::uint32_t samples) noexcept {
-    return sums.weight > 0.0 && sums.weight >= kMinMeanWeight * static_cast<double>(samples);
+std::size_t pixel_count(const PixelBounds& bounds) noexcept {
+    return static_cast<std::size_t>(bounds.width()) * static_cast<std::size_t>(bounds.height());
+}
+
+template <class Sums>
+void require_size(const FilmContents<Sums>& contents, const FilmSetup& setup) {
+    const std::size_t pixels = pixel_count(setup.bounds);
+    const std::size_t sums = pixels * static_cast<std::size_t>(setup.channels.sums);
+    const bool fits = contents.pixels.size() == pixels && contents.channels.layout() == setup.channels &&
+                      contents.channels.all_sums().size() == sums;
+    if (fits) return;
+    throw std::invalid_argument("film: contents of " + std::to_string(contents.pixels.size()) + " pixels with " +
+                                std::to_string(contents.channels.all_sums().size()) + " further sums, expected " +
+                                std::to_string(pixels) + " with " + std::to_string(sums));
+}
+
+template <class Sums>
+FilmContents<Sums> empty_contents(const FilmSetup& setup) {
+    const std::size_t pixels = pixel_count(setup.bounds);
+    return {std::vector<typename Sums::FilmPixel>(pixels), ChannelSums(setup.channels, pixels), {}};
 }
 
 template <class Pixel>
@@ -41,53 +45,85 @@ bool has_fewer_samples(const Pixel& a, const Pixel& b) noexcept {
 
 }  // namespace
 
-void validate(const FilmOptions& options) {
-    require_size("width_px", options.width_px);
-    require_size("height_px", options.height_px);
-    validate(options.sensor);
+template <class Sums>
+BasicFilm<Sums>::BasicFilm(const FilmOptions& options)
+    : setup_(std::make_shared<const FilmSetup>(options)), contents_(empty_contents<Sums>(*setup_)) {}
+
+template <class Sums>
+BasicFilm<Sums>::BasicFilm(const FilmOptions& options, FilmContents<Sums> contents)
+    : setup_(std::make_shared<const FilmSetup>(options)), contents_(std::move(contents)) {
+    require_size(contents_, *setup_);
 }
 
 template <class Sums>
-BasicFilm<Sums>::BasicFilm(const FilmOptions& options) : options_(options) {
-    validate(options);
-    sensor_ = std::make_shared<const Sensor>(options.sensor);
-    pixels_.resize(static_cast<std::size_t>(options.width_px) * static_cast<std::size_t>(options.height_px));
-}
-
-template <class Sums>
-BasicFilmTile<Sums> BasicFilm<Sums>::make_tile(PixelBounds tile_bounds) const {
-    require_inside(tile_bounds, bounds());
-    return {tile_bounds, sensor_};
+BasicFilmTile<Sums> BasicFilm<Sums>::make_tile(PixelBounds places) const {
+    require_inside(places, sample_bounds());
+    return {places, setup_};
 }
 
 template <class Sums>
 void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
-    const PixelBounds& inside = tile.bounds();
-    require_inside(inside, bounds());
-    const auto tile_width = static_cast<std::size_t>(inside.width());
-    const auto film_width = static_cast<std::size_t>(options_.width_px);
+    require_inside(tile.places(), sample_bounds());
+    if (tile.channels().layout() != setup_->channels) {
+        throw std::invalid_argument("film: a tile of a film with other options was to be merged");
+    }
+    FilmCounts counts;
+    counts.samples = tile.sample_count();
+    counts.light_splats = tile.light_splat_count();
+    counts.dropped_aux = tile.dropped_aux();
+    counts.dropped = tile.dropped();
+    counts.clamped = tile.clamped();
 
+    const PixelBounds& inside = tile.bounds();
+    const auto tile_width = static_cast<std::size_t>(std::max(inside.width(), 0));
+    const auto film_width = static_cast<std::size_t>(bounds().width());
     const std::lock_guard lock(mutex_);
     std::size_t from = 0;
     for (int y = inside.y0; y < inside.y1; ++y) {
-        std::size_t to = static_cast<std::size_t>(y) * film_width + static_cast<std::size_t>(inside.x0);
+        std::size_t to =
+            static_cast<std::size_t>(y - bounds().y0) * film_width + static_cast<std::size_t>(inside.x0 - bounds().x0);
+        contents_.channels.add(to, tile.channels(), from, tile_width);
         for (const std::size_t end = from + tile_width; from < end; ++from, ++to) {
             const std::uint32_t count = tile.sample_counts()[from];
-            pixels_[to].add(tile.pixels()[from], count < tile.kMostSamples ? count : SampleCount::kMost);
+            contents_.pixels[to].add(tile.pixels()[from], count < tile.kMostSamples ? count : SampleCount::kMost);
         }
     }
-    dropped_.merge(tile.dropped());
+    contents_.counts.merge(counts);
+}
+
+template <class Sums>
+void BasicFilm<Sums>::merge(const BasicFilm& other) {
+    if (&other == this) throw std::invalid_argument("film: it was to be merged into itself");
+    if (other.options() != options()) {
+        throw std::invalid_argument("film: one with other options was to be merged: " + to_text(other.options()) +
+                                    ", expected " + to_text(options()));
+    }
+    const std::scoped_lock lock(mutex_, other.mutex_);
+    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) contents_.pixels[i].merge(other.contents_.pixels[i]);
+    contents_.channels.add(0, other.contents_.channels, 0, contents_.pixels.size());
+    contents_.counts.merge(other.contents_.counts);
+}
+
+template <class Sums>
+void BasicFilm<Sums>::add_light_paths(std::uint64_t paths) {
+    const std::lock_guard lock(mutex_);
+    contents_.counts.light_paths += paths;
 }
 
 template <class Sums>
 Image<XYZ> BasicFilm<Sums>::xyz_image() const {
-    Image<XYZ> image(options_.width_px, options_.height_px);
+    Image<XYZ> image(bounds().width(), bounds().height());
     const std::lock_guard lock(mutex_);
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const WeightedSums sums = pixels_[i].sums();
-        if (!has_value(sums, pixels_[i].samples())) continue;
-        image.pixels()[i] = {static_cast<float>(sums.xyz.x / sums.weight), static_cast<float>(sums.xyz.y / sums.weight),
-                             static_cast<float>(sums.xyz.z / sums.weight)};
+    const FilmCounts& counts = contents_.counts;
+    if (counts.light_splats > 0 && counts.light_paths == 0) {
+        throw std::logic_error("film: it has " + std::to_string(counts.light_splats) +
+                               " light splats, and nobody told it the number of light paths");
+    }
+    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) {
+        const PixelSums sums = pixel_sums(i);
+        const XYZd value =
+            camera_value_of(sums, *setup_).value_or(XYZd{}) + light_value_of(sums, *setup_, counts.light_paths);
+        image.pixels()[i] = {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
     }
     return image;
 }
@@ -95,39 +131,44 @@ Image<XYZ> BasicFilm<Sums>::xyz_image() const {
 template <class Sums>
 std::int64_t BasicFilm<Sums>::pixels_without_value() const {
     const std::lock_guard lock(mutex_);
-    return std::count_if(pixels_.begin(), pixels_.end(),
-                         [](const Pixel& pixel) { return !has_value(pixel.sums(), pixel.samples()); });
+    if (contents_.counts.samples == 0 && contents_.counts.light_paths > 0) return 0;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) count += has_value(pixel_sums(i)) ? 0 : 1;
+    return count;
 }
 
 template <class Sums>
 std::int64_t BasicFilm<Sums>::saturated_pixels() const {
     const std::lock_guard lock(mutex_);
-    return std::count_if(pixels_.begin(), pixels_.end(), [](const Pixel& pixel) { return pixel.is_saturated(); });
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) {
+        count += contents_.pixels[i].is_saturated() || contents_.channels.is_saturated(i) ? 1 : 0;
+    }
+    return count;
 }
 
 template <class Sums>
-DroppedSamples BasicFilm<Sums>::dropped() const {
+FilmCounts BasicFilm<Sums>::counts() const {
     const std::lock_guard lock(mutex_);
-    return dropped_;
-}
-
-template <class Sums>
-std::uint64_t BasicFilm<Sums>::sample_count() const {
-    const std::lock_guard lock(mutex_);
-    return std::accumulate(pixels_.begin(), pixels_.end(), std::uint64_t{0},
-                           [](std::uint64_t sum, const Pixel& pixel) { return sum + pixel.samples(); });
+    return contents_.counts;
 }
 
 template <class Sums>
 std::uint64_t BasicFilm<Sums>::min_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return std::min_element(pixels_.begin(), pixels_.end(), has_fewer_samples<Pixel>)->samples();
+    return std::min_element(contents_.pixels.begin(), contents_.pixels.end(), has_fewer_samples<Pixel>)->samples();
 }
 
 template <class Sums>
 std::uint64_t BasicFilm<Sums>::max_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return std::max_element(pixels_.begin(), pixels_.end(), has_fewer_samples<Pixel>)->samples();
+    return std::max_element(contents_.pixels.begin(), contents_.pixels.end(), has_fewer_samples<Pixel>)->samples();
+}
+
+template <class Sums>
+FilmContents<Sums> BasicFilm<Sums>::contents() const {
+    const std::lock_guard lock(mutex_);
+    return contents_;
 }
 
 template class BasicFilm<ExactSums>;

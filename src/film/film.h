@@ -5,6 +5,7 @@
 // and merges, every number of threads, every size of tiles, and every way of sharing samples out over runs and
 // machines.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -13,74 +14,106 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "film/dropped_samples.h"
+#include "film/film_channels.h"
+#include "film/film_counts.h"
+#include "film/film_options.h"
+#include "film/film_setup.h"
 #include "film/film_sums.h"
 #include "film/film_tile.h"
+#include "film/pixel_values.h"
 #include "film/sensor.h"
 
 namespace emulsion {
 
-struct FilmOptions {
-    int width_px = 1280;        ///< in [1, 65536]
-    int height_px = 720;        ///< in [1, 65536]
-    SensorOptions sensor = {};  ///< applied to spectral samples
-    bool operator==(const FilmOptions&) const = default;
+/// Everything that a film has gathered, as it lies in memory: for film state files.
+template <class Sums>
+struct FilmContents {
+    std::vector<typename Sums::FilmPixel> pixels;  ///< of the film's bounds, row by row
+    ChannelSums channels;                          ///< of the same pixels
+    FilmCounts counts;
+    bool operator==(const FilmContents&) const = default;
 };
-
-/// \throws std::invalid_argument naming the field, its value and its range.
-void validate(const FilmOptions& options);
-
-/// A pixel whose weights have a mean below this has no value. The weights of filters with negative lobes can cancel;
-/// a quotient by such a sum is noise, magnified more than 1 / kMinMeanWeight = 64 times.
-inline constexpr double kMinMeanWeight = 1.0 / 64.0;
 
 /// Sums is one of FilmSums; what is said of bits holds for ExactSums. Film, below, is the film of them.
 template <class Sums>
 class BasicFilm {
   public:
-    /// \throws std::invalid_argument as validate() does.
+    /// An empty film. \throws std::invalid_argument as validate(FilmOptions) and Sensor do.
     explicit BasicFilm(const FilmOptions& options);
+    /// A film that goes on from what another of the same options has gathered.
+    /// \throws std::invalid_argument also if the contents are of another size.
+    BasicFilm(const FilmOptions& options, FilmContents<Sums> contents);
     ~BasicFilm() = default;
     BasicFilm(const BasicFilm&) = delete;
     BasicFilm& operator=(const BasicFilm&) = delete;
 
-    [[nodiscard]] const FilmOptions& options() const noexcept { return options_; }
-    [[nodiscard]] const Sensor& sensor() const noexcept { return *sensor_; }
-    /// The whole picture.
-    [[nodiscard]] PixelBounds bounds() const noexcept { return {0, 0, options_.width_px, options_.height_px}; }
+    [[nodiscard]] const FilmOptions& options() const noexcept { return setup_->options; }
+    [[nodiscard]] const Sensor& sensor() const noexcept { return setup_->sensor; }
+    [[nodiscard]] const FilmSetup& setup() const noexcept { return *setup_; }
+    /// The film's pixels, in coordinates of the full frame: the crop window, if there is one.
+    [[nodiscard]] const PixelBounds& bounds() const noexcept { return setup_->bounds; }
+    /// The pixels to send samples to: bounds(), and a border more if the film splats. It may leave the frame.
+    [[nodiscard]] const PixelBounds& sample_bounds() const noexcept { return setup_->sample_bounds; }
 
-    /// An empty tile. Tiles may overlap, may outlive the film, and any number may exist.
-    /// \throws std::invalid_argument unless the bounds are not empty and lie inside the film.
-    [[nodiscard]] BasicFilmTile<Sums> make_tile(PixelBounds bounds) const;
+    /// An empty tile for samples within `places`. Tiles may overlap, may outlive the film, and any number may exist.
+    /// \throws std::invalid_argument unless `places` has pixels and lies inside sample_bounds().
+    [[nodiscard]] BasicFilmTile<Sums> make_tile(PixelBounds places) const;
 
     /// Adds a tile's sums to the film; the tile is left as it is, and merged twice it counts twice. Thread-safe.
     /// The result does not depend on any order unless a sum saturates (saturated_pixels()).
-    /// \throws std::invalid_argument if the tile's bounds do not lie inside the film.
+    /// \throws std::invalid_argument if the tile does not lie inside the film, or is one of a film with other options.
     void merge(const BasicFilmTile<Sums>& tile);
 
-    /// sum(weight XYZ) / sum(weight) of each pixel; 0 for pixels without a value, see pixels_without_value().
+    /// Adds what another film of the same options has gathered. Thread-safe.
+    /// \throws std::invalid_argument if the options differ, and for the film itself.
+    void merge(const BasicFilm& other);
+
+    /// The paths that a light tracer has traced, those that sent nothing among them: light splats are over their sum.
+    void add_light_paths(std::uint64_t paths);
+
+    /// sum(weight XYZ) / sum(weight) of each pixel, or the median of means, and the light splats over the number of
+    /// light paths; 0 for pixels without a value, see pixels_without_value(). The size is that of bounds().
+    /// \throws std::logic_error if there are light splats and the number of light paths is 0.
     [[nodiscard]] Image<XYZ> xyz_image() const;
 
-    /// Pixels whose weight sum is below kMinMeanWeight * their number of samples, or that have no samples.
+    /// Pixels whose weight sum is below kMinMeanWeight * their number of samples, or that have no samples. None if the
+    /// film has light splats only.
     [[nodiscard]] std::int64_t pixels_without_value() const;
     /// Pixels with a sum that has left its range, or with more than 2^32 - 2 samples: their value is wrong, and finite
     /// if the sums are exact.
     [[nodiscard]] std::int64_t saturated_pixels() const;
 
+    /// What was counted beside the pixels: samples, dropped samples, light paths.
+    [[nodiscard]] FilmCounts counts() const;
     /// What was kept out of the tiles merged so far.
-    [[nodiscard]] DroppedSamples dropped() const;
-    /// Samples in all pixels, in the pixel with the fewest and in the one with the most; without the dropped ones.
-    [[nodiscard]] std::uint64_t sample_count() const;
+    [[nodiscard]] DroppedSamples dropped() const { return counts().dropped; }
+    /// Samples that were added, each counted once; without the dropped ones.
+    [[nodiscard]] std::uint64_t sample_count() const { return counts().samples; }
+    /// Samples that reach the pixel with the fewest and the one with the most; without the dropped ones.
     [[nodiscard]] std::uint64_t min_samples_per_pixel() const;
     [[nodiscard]] std::uint64_t max_samples_per_pixel() const;
+
+    /// A copy of everything, consistent even while others merge.
+    [[nodiscard]] FilmContents<Sums> contents() const;
+
+    /// Calls visit(pixel number, PixelSums) for every pixel, row by row, while merges wait.
+    template <class Visit>
+    void for_each_pixel(const Visit& visit) const {
+        const std::lock_guard lock(mutex_);
+        for (std::size_t i = 0; i < contents_.pixels.size(); ++i) visit(i, pixel_sums(i));
+    }
 
   private:
     using Pixel = typename Sums::FilmPixel;
 
-    FilmOptions options_;
-    std::shared_ptr<const Sensor> sensor_;
+    [[nodiscard]] PixelSums pixel_sums(std::size_t i) const noexcept {
+        const Pixel& pixel = contents_.pixels[i];
+        return {pixel.sums(), pixel.samples(), contents_.channels.sums(i), contents_.channels.squares(i)};
+    }
+
+    std::shared_ptr<const FilmSetup> setup_;
     mutable std::mutex mutex_;  // guards all below
-    std::vector<Pixel> pixels_;
-    DroppedSamples dropped_;
+    FilmContents<Sums> contents_;
 };
 
 extern template class BasicFilm<ExactSums>;

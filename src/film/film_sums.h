@@ -6,7 +6,7 @@
 //     bool add(double x, double y, double z, double weight) noexcept
 // adds weight * XYZ and the weight; if a number among them is not finite it does nothing and returns false.
 // FilmPixel, the film's:
-//     void add(const TilePixel&, std::uint32_t samples) noexcept
+//     void add(const TilePixel&, std::uint32_t samples) noexcept;  void merge(const FilmPixel&) noexcept
 //     WeightedSums sums() const noexcept;  std::uint32_t samples() const noexcept;  bool is_saturated() const noexcept
 
 #include <array>
@@ -90,6 +90,7 @@ class FloatingFilmPixel {
         pixel_.merge(tile);
         samples_.add(samples);
     }
+    void merge(const FloatingFilmPixel& other) noexcept { add(other.pixel_, other.samples()); }
     [[nodiscard]] WeightedSums sums() const noexcept { return pixel_.sums(); }
     [[nodiscard]] std::uint32_t samples() const noexcept { return samples_.count(); }
     /// A sum has overflowed.

@@ -11,24 +11,249 @@
 
 namespace emulsion {
 
-template <class Sums>
-BasicFilmTile<Sums>::BasicFilmTile(PixelBounds bounds, std::shared_ptr<const Sensor> sensor)
-    : bounds_(bounds), width_(bounds.width()), first_(bounds.y0 * width_ + bounds.x0), sensor_(std::move(sensor)) {
-    if (bounds.width() < 1 || bounds.height() < 1) {
-        throw std::invalid_argument("film tile of " + std::to_string(bounds.width()) + "x" +
-                                    std::to_string(bounds.height()) + " pixels: both must be at least 1");
+namespace {
+
+PixelBounds intersection(const PixelBounds& a, const PixelBounds& b) noexcept {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+PixelBounds pixels_reached(const PixelBounds& places, const FilmSetup& setup) {
+    return setup.footprint ? intersection(setup.footprint->reached_from(places), setup.bounds) : places;
+}
+
+const std::shared_ptr<const FilmSetup>& checked(const std::shared_ptr<const FilmSetup>& setup,
+                                                const PixelBounds& places) {
+    if (!setup) throw std::invalid_argument("film tile: setup is missing");
+    if (places.width() < 1 || places.height() < 1) {
+        throw std::invalid_argument("film tile of " + std::to_string(places.width()) + "x" +
+                                    std::to_string(places.height()) + " pixels: both must be at least 1");
     }
-    if (!sensor_) throw std::invalid_argument("film tile: sensor is missing");
-    const std::size_t count = static_cast<std::size_t>(bounds.width()) * static_cast<std::size_t>(bounds.height());
-    pixels_.resize(count);
-    sample_counts_.resize(count);
+    return setup;
+}
+
+std::size_t pixel_count(const PixelBounds& bounds) noexcept {
+    return static_cast<std::size_t>(std::max(bounds.width(), 0)) *
+           static_cast<std::size_t>(std::max(bounds.height(), 0));
+}
+
+bool all_finite(const XYZ& value, float weight) noexcept {
+    return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z) && std::isfinite(weight);
+}
+
+double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
+
+void add_to(ExactSum& sum, double term) noexcept { sum += ExactSum(term); }
+
+}  // namespace
+
+template <class Sums>
+BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup)
+    : places_(places),
+      bounds_(pixels_reached(places, *checked(setup, places))),
+      width_(bounds_.width()),
+      first_(bounds_.y0 * width_ + bounds_.x0),
+      setup_(std::move(setup)),
+      sensor_(&setup_->sensor),
+      max_luminance_(setup_->max_luminance),
+      has_channels_(setup_->channels.squares > 0 || setup_->mean_groups > 0),
+      has_buckets_(setup_->channels.buckets.size > 0),
+      mean_groups_(setup_->mean_groups),
+      pixels_(pixel_count(bounds_)),
+      sample_counts_(pixel_count(bounds_)),
+      channels_(setup_->channels, pixel_count(bounds_)) {
+    if (!setup_->footprint) return;
+    const auto most = [&](FilterAxis axis, int size) {
+        return std::min(setup_->footprint->most_pixels(axis), static_cast<std::size_t>(std::max(size, 0)));
+    };
+    x_weights_.resize(most(FilterAxis::x, bounds_.width()));
+    y_weights_.resize(most(FilterAxis::y, bounds_.height()));
 }
 
 template <class Sums>
 void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     std::fill(sample_counts_.begin(), sample_counts_.end(), 0u);
+    channels_.clear();
+    group_ = 0;
+    spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
     dropped_ = {};
+    clamped_ = {};
+}
+
+template <class Sums>
+std::uint64_t BasicFilmTile<Sums>::sample_count() const noexcept {
+    std::uint64_t touches = 0;
+    for (const std::uint32_t count : sample_counts_) touches += count;
+    return touches - spread_touches_ + spread_samples_;
+}
+
+template <class Sums>
+float BasicFilmTile<Sums>::kept_share(const SensorSample& sample, float max_luminance) noexcept {
+    if (!all_finite(sample.xyz, sample.luminance) || sample.luminance < 0.0f) return 0.0f;
+    return sample.luminance <= max_luminance ? 1.0f : max_luminance / sample.luminance;
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample,
+                                             float weight) noexcept {
+    const float share = kept_share(sample, max_luminance_);
+    if (share == 0.0f || !std::isfinite(weight)) return drop(x, y, sample.xyz, weight);
+    const XYZ value = share * sample.xyz;
+    pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z),
+                   static_cast<double>(weight));
+    ++clamped_.count;
+    add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    count(i);
+    if (has_channels_) add_channels(i, value, weight);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_channels(std::size_t i, XYZ value, float weight) noexcept {
+    const auto w = static_cast<double>(weight);
+    const std::span<SquareSum> squares = channels_.squares(i);
+    if (squares.size() == 1) {
+        squares[0] += SquareSum(w * product(value.y, value.y));
+    } else if (squares.size() == 3) {
+        squares[0] += SquareSum(w * product(value.x, value.x));
+        squares[1] += SquareSum(w * product(value.y, value.y));
+        squares[2] += SquareSum(w * product(value.z, value.z));
+    }
+    if (mean_groups_ == 0) return;
+    const std::span<ExactSum> mean =
+        channels_.sums(i).subspan(static_cast<std::size_t>(setup_->channels.means.begin + 4 * group_), 4);
+    add_to(mean[0], product(weight, value.x));
+    add_to(mean[1], product(weight, value.y));
+    add_to(mean[2], product(weight, value.z));
+    add_to(mean[3], w);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral,
+                                      float weight) noexcept {
+    const auto share = static_cast<double>(kept_share(sample, max_luminance_));
+    if (share == 0.0 || !std::isfinite(weight)) return;
+    const SpectralBuckets& buckets = *setup_->options.spectrum;
+    const std::span<ExactSum> sums = channels_.sums(i);
+    for_each_bucket(spectral, buckets, [&](std::size_t bucket, double radiance, double coverage) {
+        const std::size_t at = static_cast<std::size_t>(setup_->channels.buckets.begin) + 2 * bucket;
+        const double weighted = static_cast<double>(weight) * coverage;
+        add_to(sums[at], weighted * (share * radiance));
+        add_to(sums[at + 1], weighted);
+    });
+}
+
+template <class Sums>
+template <class Visit>
+std::uint64_t BasicFilmTile<Sums>::for_each_reached(float x_px, float y_px, const Visit& visit) noexcept {
+    const FilterFootprint& footprint = *setup_->footprint;
+    const FilterFootprint::Reach xs = footprint.reach(FilterAxis::x, x_px, bounds_.x0, bounds_.x1);
+    const FilterFootprint::Reach ys = footprint.reach(FilterAxis::y, y_px, bounds_.y0, bounds_.y1);
+    if (xs.begin >= xs.end || ys.begin >= ys.end) return 0;
+    footprint.weights(FilterAxis::x, x_px, xs, x_weights_);
+    footprint.weights(FilterAxis::y, y_px, ys, y_weights_);
+    for (int y = ys.begin; y < ys.end; ++y) {
+        const float y_weight = y_weights_[static_cast<std::size_t>(y - ys.begin)];
+        std::size_t i = index(xs.begin, y);
+        for (int x = xs.begin; x < xs.end; ++x, ++i) {
+            visit(i, y_weight * x_weights_[static_cast<std::size_t>(x - xs.begin)]);
+        }
+    }
+    return static_cast<std::uint64_t>(xs.end - xs.begin) * static_cast<std::uint64_t>(ys.end - ys.begin);
+}
+
+template <class Sums>
+bool BasicFilmTile<Sums>::has_place(float x_px, float y_px) const noexcept {
+    return x_px >= static_cast<float>(places_.x0) && x_px <= static_cast<float>(places_.x1) &&
+           y_px >= static_cast<float>(places_.y0) && y_px <= static_cast<float>(places_.y1);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sample,
+                                 const SpectralSample& spectral) noexcept {
+    assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
+    if (!setup_->footprint || !has_place(x_px, y_px)) return;
+    const float share = kept_share(sample, max_luminance_);
+    if (share == 0.0f) {
+        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
+    }
+    if (share < 1.0f) {
+        ++clamped_.count;
+        add_to(clamped_.removed_luminance, static_cast<double>(sample.luminance - share * sample.luminance));
+    }
+    const XYZ value = share * sample.xyz;
+    const auto x = static_cast<double>(value.x), y = static_cast<double>(value.y), z = static_cast<double>(value.z);
+    spread_touches_ += for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+        pixels_[i].add(x, y, z, static_cast<double>(weight));
+        count(i);
+        if (has_channels_) [[unlikely]]
+            add_channels(i, value, weight);
+        if (has_buckets_ && !spectral.lambda_nm.empty()) [[unlikely]]
+            add_buckets(i, sample, spectral, weight);
+    });
+    ++spread_samples_;
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample& sample,
+                                      const SpectralSample& spectral) noexcept {
+    assert(setup_->options.light_splats);
+    if (setup_->channels.light_splat.size == 0 || !has_place(x_px, y_px)) return;
+    if (kept_share(sample, std::numeric_limits<float>::infinity()) == 0.0f) {
+        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
+    }
+    const double per_area = 1.0 / setup_->footprint->area_px();
+    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+        const double density = static_cast<double>(weight) * per_area;
+        const std::span<ExactSum> sums = channels_.sums(i);
+        const auto at = static_cast<std::size_t>(setup_->channels.light_splat.begin);
+        add_to(sums[at], density * static_cast<double>(sample.xyz.x));
+        add_to(sums[at + 1], density * static_cast<double>(sample.xyz.y));
+        add_to(sums[at + 2], density * static_cast<double>(sample.xyz.z));
+        if (!has_buckets_) return;
+        for_each_bucket(spectral, *setup_->options.spectrum, [&](std::size_t bucket, double radiance, double coverage) {
+            add_to(sums[static_cast<std::size_t>(setup_->channels.bucket_splats.begin) + bucket],
+                   density * coverage * radiance);
+        });
+    });
+    ++light_splats_;
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_aux(int x, int y, std::size_t layer, std::span<const float> values,
+                                  float weight) noexcept {
+    if (!is_aux_value(layer, values) || !std::isfinite(weight)) {
+        ++dropped_aux_;
+        return;
+    }
+    add_aux_to(index(x, y), layer, values, weight);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_aux_at(float x_px, float y_px, std::size_t layer,
+                                     std::span<const float> values) noexcept {
+    assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
+    if (!setup_->footprint || !has_place(x_px, y_px)) return;
+    if (!is_aux_value(layer, values)) {
+        ++dropped_aux_;
+        return;
+    }
+    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
+}
+
+template <class Sums>
+bool BasicFilmTile<Sums>::is_aux_value([[maybe_unused]] std::size_t layer,
+                                       std::span<const float> values) const noexcept {
+    assert(layer < setup_->channels.aux.size() && values.size() == setup_->options.aux[layer].components.size());
+    return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values,
+                                     float weight) noexcept {
+    const std::span<ExactSum> sums =
+        channels_.sums(i).subspan(static_cast<std::size_t>(setup_->channels.aux[layer].begin), values.size() + 1);
+    for (std::size_t k = 0; k < values.size(); ++k) add_to(sums[k], product(weight, values[k]));
+    add_to(sums[values.size()], static_cast<double>(weight));
 }
 
 template <class Sums>

@@ -10,37 +10,87 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "film/clamped_samples.h"
 #include "film/dropped_samples.h"
+#include "film/film_channels.h"
+#include "film/film_setup.h"
 #include "film/film_sums.h"
-#include "film/sensor.h"
+#include "film/spectral_buckets.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion {
 
-/// Made by BasicFilm::make_tile. Pixels are named by their place in the film, not in the tile. Sums is one of FilmSums.
+/// Made by BasicFilm::make_tile. Pixels and places are those of the full frame, not of the tile: pixel (x, y) covers
+/// [x, x + 1) x [y, y + 1). Sums is one of FilmSums.
+///
+/// Samples come in as spectra (N wavelengths of one path: radiance in W m^-2 sr^-1 nm^-1, densities in 1/nm) or as XYZ
+/// (Y in cd/m^2 times the imaging ratio, if the film is to have one; film/rgb_input.h makes XYZ of RGB). One with a
+/// NaN, an infinity or a negative luminance (of the light; the XYZ that a camera or a white balance makes of it may be
+/// negative) is counted in dropped() and adds neither value nor weight.
 template <class Sums>
 class BasicFilmTile {
   public:
     using Pixel = typename Sums::TilePixel;
     static constexpr std::uint32_t kMostSamples = 1u << 31;
 
-    BasicFilmTile(PixelBounds bounds, std::shared_ptr<const Sensor> sensor);
+    /// `places` must have pixels. The tile holds the film's pixels that samples there reach: a border more, if the film
+    /// splats.
+    BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup);
 
+    /// Where samples belong.
+    [[nodiscard]] const PixelBounds& places() const noexcept { return places_; }
+    /// The pixels that the tile holds.
     [[nodiscard]] const PixelBounds& bounds() const noexcept { return bounds_; }
 
-    /// Adds one path's radiance, W m^-2 sr^-1 nm^-1, to the pixel (x, y), which must lie in bounds(). Dropped if the
-    /// luminance of the light is negative; the XYZ that a camera or a white balance makes of it may be.
+    // --- Camera samples of filter importance sampling: they belong to one pixel of bounds().
+
+    /// Weights are signed, and of mean 1 if they come from a FilterSampler.
     template <int N>
     void add(int x, int y, const SampledWavelengths<N>& wavelengths, const SampledSpectrum<N>& radiance,
              float weight) noexcept {
         const SensorSample sample = sensor_->sense(wavelengths, radiance);
-        accumulate(x, y, sample.xyz, sample.luminance, weight);
+        const std::size_t i = index(x, y);
+        accumulate(i, x, y, sample.xyz, sample.luminance, weight);
+        if (has_buckets_) [[unlikely]]
+            add_buckets(i, sample, {wavelengths.lambda_nm, radiance.value, wavelengths.pdf}, weight);
     }
+    void add(int x, int y, XYZ value, float weight) noexcept { accumulate(index(x, y), x, y, value, value.y, weight); }
 
-    /// Adds a sample given as XYZ, Y in cd/m^2 (times the imaging ratio, if the film is to have one).
-    /// Weights are signed, and of mean 1 if they come from a FilterSampler. A sample with a NaN, an infinity or a
-    /// negative luminance is counted in dropped() and adds neither value nor weight.
-    void add(int x, int y, XYZ value, float weight) noexcept { accumulate(x, y, value, value.y, weight); }
+    // --- Camera samples that are splatted: they go into every pixel that the film's filter reaches from their place,
+    // which must lie in places() and be drawn uniformly. For films whose filter_use is splatted.
+
+    template <int N>
+    void add_at(float x_px, float y_px, const SampledWavelengths<N>& wavelengths,
+                const SampledSpectrum<N>& radiance) noexcept {
+        const SensorSample sample = sensor_->sense(wavelengths, radiance);
+        spread(x_px, y_px, sample, {wavelengths.lambda_nm, radiance.value, wavelengths.pdf});
+    }
+    void add_at(float x_px, float y_px, XYZ value) noexcept { spread(x_px, y_px, {value, value.y}, {}); }
+
+    // --- Light splats: what a light tracer's path sends to a place of the film. For films with light_splats. The mean,
+    // over paths, of the sum of the values that arrive in a region is the integral of the picture over that region, in
+    // pixels: values are XYZ (or radiance) times an area in pixels. Places outside places() are ignored, as most paths
+    // miss the film. Tell the film the number of paths: BasicFilm::add_light_paths.
+
+    template <int N>
+    void splat(float x_px, float y_px, const SampledWavelengths<N>& wavelengths,
+               const SampledSpectrum<N>& radiance) noexcept {
+        const SensorSample sample = sensor_->sense(wavelengths, radiance);
+        splat_light(x_px, y_px, sample, {wavelengths.lambda_nm, radiance.value, wavelengths.pdf});
+    }
+    void splat(float x_px, float y_px, XYZ value) noexcept { splat_light(x_px, y_px, {value, value.y}, {}); }
+
+    // --- Beside the samples
+
+    /// The values of an auxiliary layer (its place in FilmOptions::aux) that a sample sees; as many as components.
+    /// Samples that see nothing leave it out. A value that is not finite is counted in dropped_aux() and kept out.
+    void add_aux(int x, int y, std::size_t layer, std::span<const float> values, float weight) noexcept;
+    void add_aux_at(float x_px, float y_px, std::size_t layer, std::span<const float> values) noexcept;
+
+    /// The number, in its pixel, of the sample that comes next: MedianOfMeans needs it.
+    void set_sample_index(std::uint64_t index) noexcept {
+        if (mean_groups_ > 0) group_ = static_cast<int>(index % static_cast<std::uint64_t>(mean_groups_));
+    }
 
     /// Back to no samples, for the next use of the same bounds.
     void clear() noexcept;
@@ -50,26 +100,52 @@ class BasicFilmTile {
     /// The number of samples in each pixel, without the dropped ones; as many as pixels(). From kMostSamples on it is
     /// not exact, and the film takes the pixel for saturated.
     [[nodiscard]] std::span<const std::uint32_t> sample_counts() const noexcept { return sample_counts_; }
+    /// The further sums of the film's options, pixel by pixel.
+    [[nodiscard]] const ChannelSums& channels() const noexcept { return channels_; }
+    /// Samples that were added, each counted once, without the dropped ones.
+    [[nodiscard]] std::uint64_t sample_count() const noexcept;
+    [[nodiscard]] std::uint64_t light_splat_count() const noexcept { return light_splats_; }
     [[nodiscard]] const DroppedSamples& dropped() const noexcept { return dropped_; }
+    [[nodiscard]] std::uint64_t dropped_aux() const noexcept { return dropped_aux_; }
+    [[nodiscard]] const ClampedSamples& clamped() const noexcept { return clamped_; }
 
   private:
-    /// A sample that is judged by this luminance.
-    void accumulate(int x, int y, XYZ value, float luminance, float weight) noexcept {
-        const std::size_t i = index(x, y);
+    /// A sample of one pixel, judged by this luminance.
+    void accumulate(std::size_t i, int x, int y, XYZ value, float luminance, float weight) noexcept {
         // Products of floats cannot overflow a double: they are finite if, and only if, all four numbers are.
-        const bool kept =
-            luminance >= 0.0f && pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y),
-                                                static_cast<double>(value.z), static_cast<double>(weight));
-        if (!kept) [[unlikely]]
-            return drop(x, y, value, weight);
+        const bool usual = luminance >= 0.0f && luminance <= max_luminance_ &&
+                           pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y),
+                                          static_cast<double>(value.z), static_cast<double>(weight));
+        if (!usual) [[unlikely]]
+            return accumulate_unusual(i, x, y, {value, luminance}, weight);
+        count(i);
+        if (has_channels_) [[unlikely]]
+            add_channels(i, value, weight);
+    }
+    void count(std::size_t i) noexcept {
         if (++sample_counts_[i] % kCountsPerCarry == 0) [[unlikely]]
             carry(i);
     }
 
     [[nodiscard]] std::size_t index(int x, int y) const noexcept {
-        assert(x >= bounds_.x0 && x < bounds_.x1 && y >= bounds_.y0 && y < bounds_.y1);
+        assert(bounds_.contains(x, y));
         return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(y) * width_ + x - first_);
     }
+
+    /// Whether the sample counts, and how much of it; 0 if it is kept out.
+    [[nodiscard]] static float kept_share(const SensorSample& sample, float max_luminance) noexcept;
+    void accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample, float weight) noexcept;
+    void add_channels(std::size_t i, XYZ value, float weight) noexcept;
+    void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
+    void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
+    void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
+    /// Calls visit(pixel, weight) for each pixel of the tile that the filter reaches from a place; returns how many.
+    template <class Visit>
+    std::uint64_t for_each_reached(float x_px, float y_px, const Visit& visit) noexcept;
+    [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept;
+    [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
+    void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;
+
     /// Makes room in the sums and the count of a pixel.
     void carry(std::size_t i) noexcept;
     void drop(int x, int y, XYZ value, float weight) noexcept;
@@ -77,12 +153,23 @@ class BasicFilmTile {
     static constexpr std::uint32_t kCountsPerCarry = 1u << 27;
     static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
 
-    PixelBounds bounds_;
+    PixelBounds places_, bounds_;
     std::ptrdiff_t width_, first_;  // pixel (x, y) is y width_ + x - first_
-    std::shared_ptr<const Sensor> sensor_;
+    std::shared_ptr<const FilmSetup> setup_;
+    // Of the setup, at hand for every sample.
+    const Sensor* sensor_;
+    float max_luminance_;
+    bool has_channels_, has_buckets_;
+    int mean_groups_;
+
     std::vector<Pixel> pixels_;
     std::vector<std::uint32_t> sample_counts_;
+    ChannelSums channels_;
+    int group_ = 0;
+    std::uint64_t spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
     DroppedSamples dropped_;
+    ClampedSamples clamped_;
+    std::vector<float> x_weights_, y_weights_;  // of one sample
 };
 
 extern template class BasicFilmTile<ExactSums>;

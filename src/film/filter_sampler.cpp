@@ -1,8 +1,9 @@
 #include "film/filter_sampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "film/cubic_fit.h"
 
 namespace emulsion {
 
@@ -33,28 +34,6 @@ std::vector<double> edges_of_equal_mass(const Filter& filter, FilterAxis axis, i
     return edges;
 }
 
-/// Coefficients, constant first, of the cubic through the values of f at the four Chebyshev points of [0, 1].
-template <class F>
-std::array<double, 4> cubic_through(const F& f) {
-    std::array<double, 4> node{}, difference{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        node[i] = 0.5 - 0.5 * std::cos((2.0 * static_cast<double>(i) + 1.0) * std::acos(-1.0) / 8.0);
-        difference[i] = f(node[i]);
-    }
-    // Newton's divided differences, then Horner's scheme on polynomials.
-    for (std::size_t order = 1; order < 4; ++order) {
-        for (std::size_t i = 3; i >= order; --i) {
-            difference[i] = (difference[i] - difference[i - 1]) / (node[i] - node[i - order]);
-        }
-    }
-    std::array<double, 4> coefficient{};
-    for (std::size_t i = 4; i-- > 0;) {
-        for (std::size_t k = 3; k > 0; --k) coefficient[k] = coefficient[k - 1] - node[i] * coefficient[k];
-        coefficient[0] = difference[i] - node[i] * coefficient[0];
-    }
-    return coefficient;
-}
-
 }  // namespace
 
 FilterSampler::FilterSampler(const Filter& filter) : filter_(filter) {
@@ -82,15 +61,11 @@ FilterSampler::AxisTable FilterSampler::make_table(const Filter& filter, FilterA
         const auto weight = [&](double t) {
             return eval(filter, axis, start + t * width) * kCells * width / half_integral;
         };
-        const auto w = cubic_through(weight);
-        double worst = 0.0;
-        for (int k = 0; k <= 16; ++k) {
-            const double t = k / 16.0;
-            worst = std::max(worst, std::abs(w[0] + t * (w[1] + t * (w[2] + t * w[3])) - weight(t)));
-        }
-        table.cells.push_back({static_cast<float>(start), static_cast<float>(width), static_cast<float>(w[0]),
-                               static_cast<float>(w[1]), static_cast<float>(w[2]), static_cast<float>(w[3]),
-                               worst < kCubicTolerance});
+        table.mean_square_weight += integral_of_square(weight) / kCells;
+        const CubicFit fit = fit_cubic(weight);
+        const auto w = [&fit](std::size_t k) { return static_cast<float>(fit.coefficient[k]); };
+        table.cells.push_back({static_cast<float>(start), static_cast<float>(width), w(0), w(1), w(2), w(3),
+                               fit.worst < kCubicTolerance});
     }
     return table;
 }

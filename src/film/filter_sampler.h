@@ -42,6 +42,9 @@ class FilterSampler {
     /// Density of x_offset_px (or y), 1/px: constant within a cell, 0 past the radius.
     [[nodiscard]] double pdf(FilterAxis axis, double offset_px) const noexcept;
 
+    /// Of a weight; its mean is 1.
+    [[nodiscard]] double mean_square_weight() const noexcept { return x_.mean_square_weight * y_.mean_square_weight; }
+
   private:
     // Offset start + t width and weight w0 + t (w1 + t (w2 + t w3)), for t in [0, 1] from the pixel's centre outwards.
     struct Cell {
@@ -53,6 +56,7 @@ class FilterSampler {
         std::vector<double> edge_px;  // kCells + 1, from 0 to the radius
         std::vector<Cell> cells;      // kCells
         double integral_px = 0.0;     // of f over the whole axis, with its sign
+        double mean_square_weight = 0.0;
     };
     struct AxisSample {
         float offset_px, weight;

@@ -34,7 +34,7 @@ class TileRenderer {
           options_(options),
           film_(film),
           sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
-          filter_(scene.scene().filter),
+          filter_(film.options().filter),
           camera_(scene.scene().camera, film.options().width_px, film.options().height_px) {}
 
     /// Samples [begin, end) of every pixel within the bounds.
@@ -142,6 +142,11 @@ void render(const PreparedScene& scene, const RenderOptions& options, Film& film
     }
 }
 
-FilmOptions film_options(const Scene& scene) { return {scene.film.width_px, scene.film.height_px, scene.film.sensor}; }
+FilmOptions film_options(const Scene& scene) {
+    return {.width_px = scene.film.width_px,
+            .height_px = scene.film.height_px,
+            .sensor = scene.film.sensor,
+            .filter = scene.filter};
+}
 
 }  // namespace emulsion

@@ -1,0 +1,30 @@
+#pragma once
+// What a film counts beside its pixels.
+
+#include <cstdint>
+
+#include "film/clamped_samples.h"
+#include "film/dropped_samples.h"
+
+namespace emulsion {
+
+struct FilmCounts {
+    std::uint64_t samples = 0;       ///< camera samples, each counted once, without the dropped ones
+    std::uint64_t light_splats = 0;  ///< light splats that arrived
+    std::uint64_t light_paths = 0;   ///< light paths traced
+    std::uint64_t dropped_aux = 0;   ///< values of auxiliary layers that were not finite
+    DroppedSamples dropped;          ///< camera samples and light splats that were kept out
+    ClampedSamples clamped;          ///< samples that LuminanceClamp scaled down
+    bool operator==(const FilmCounts&) const = default;
+
+    void merge(const FilmCounts& other) noexcept {
+        samples += other.samples;
+        light_splats += other.light_splats;
+        light_paths += other.light_paths;
+        dropped_aux += other.dropped_aux;
+        dropped.merge(other.dropped);
+        clamped.merge(other.clamped);
+    }
+};
+
+}  // namespace emulsion

@@ -1,0 +1,101 @@
+#include "film/pixel_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace emulsion {
+
+namespace {
+
+std::span<const ExactSum> group_of(const PixelSums& sums, const FilmChannels::Group& group) noexcept {
+    return sums.channels.subspan(static_cast<std::size_t>(group.begin), static_cast<std::size_t>(group.size));
+}
+
+/// The median by luminance; none if no group has a value.
+std::optional<XYZd> median_of_means(std::span<const ExactSum> groups) noexcept {
+    std::array<XYZd, MedianOfMeans::kMostGroups> means;
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < groups.size(); at += 4) {
+        const double weight = groups[at + 3].value();
+        // As small a part of one sample of mean weight as a pixel's weights may be in the mean.
+        if (!(weight >= kMinMeanWeight)) continue;
+        means[count++] = (1.0 / weight) * XYZd{groups[at].value(), groups[at + 1].value(), groups[at + 2].value()};
+    }
+    if (count == 0) return std::nullopt;
+    const auto by_luminance = [](const XYZd& a, const XYZd& b) { return a.y < b.y; };
+    std::stable_sort(means.begin(), means.begin() + static_cast<std::ptrdiff_t>(count), by_luminance);
+    if (count % 2 == 1) return means[count / 2];
+    return 0.5 * (means[count / 2 - 1] + means[count / 2]);
+}
+
+/// n / (n - 1) (square - mean^2).
+double variance(double mean_square, double mean, double samples) noexcept {
+    return std::max(0.0, samples / (samples - 1.0) * (mean_square - mean * mean));
+}
+
+}  // namespace
+
+bool has_value(const PixelSums& sums) noexcept {
+    const double weight = sums.weighted.weight;
+    return weight > 0.0 && weight >= kMinMeanWeight * static_cast<double>(sums.samples);
+}
+
+std::optional<XYZd> mean_of(const PixelSums& sums) noexcept {
+    if (!has_value(sums)) return std::nullopt;
+    const auto& [xyz, weight] = sums.weighted;
+    return XYZd{xyz.x / weight, xyz.y / weight, xyz.z / weight};
+}
+
+std::optional<XYZd> camera_value_of(const PixelSums& sums, const FilmSetup& setup) noexcept {
+    if (setup.mean_groups == 0 || !has_value(sums)) return mean_of(sums);
+    return median_of_means(group_of(sums, setup.channels.means));
+}
+
+XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t light_paths) noexcept {
+    const std::span<const ExactSum> splat = group_of(sums, setup.channels.light_splat);
+    if (splat.empty() || light_paths == 0) return {};
+    const auto paths = static_cast<double>(light_paths);
+    return {splat[0].value() / paths, splat[1].value() / paths, splat[2].value() / paths};
+}
+
+PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept {
+    PixelVariance result;
+    const std::optional<XYZd> mean = mean_of(sums);
+    if (!mean || sums.samples < 2 || sums.squares.empty()) return result;
+    const auto samples = static_cast<double>(sums.samples);
+    const double effective = samples / setup.mean_square_weight;
+    const auto fill = [&](double XYZd::*component, const SquareSum& square) {
+        result.variance.*component = variance(square.value() / sums.weighted.weight, (*mean).*component, samples);
+        result.standard_error.*component = std::sqrt(result.variance.*component / effective);
+    };
+    if (sums.squares.size() == 1) {
+        fill(&XYZd::y, sums.squares[0]);
+        return result;
+    }
+    fill(&XYZd::x, sums.squares[0]);
+    fill(&XYZd::y, sums.squares[1]);
+    fill(&XYZd::z, sums.squares[2]);
+    return result;
+}
+
+std::optional<double> bucket_radiance_of(const PixelSums& sums, const FilmSetup& setup, int bucket,
+                                         std::uint64_t light_paths) noexcept {
+    const auto at = static_cast<std::size_t>(bucket);
+    std::optional<double> radiance;
+    const double covered = group_of(sums, setup.channels.buckets)[2 * at + 1].value();
+    // As in median_of_means.
+    if (covered >= kMinMeanWeight) radiance = group_of(sums, setup.channels.buckets)[2 * at].value() / covered;
+    const std::span<const ExactSum> splats = group_of(sums, setup.channels.bucket_splats);
+    if (splats.empty() || light_paths == 0) return radiance;
+    return radiance.value_or(0.0) + splats[at].value() / static_cast<double>(light_paths);
+}
+
+double aux_value_of(const PixelSums& sums, const FilmSetup& setup, std::size_t layer, std::size_t component) noexcept {
+    const std::span<const ExactSum> values = group_of(sums, setup.channels.aux[layer]);
+    const double weight = values.back().value();
+    return weight >= kMinMeanWeight ? values[component].value() / weight : 0.0;
+}
+
+}  // namespace emulsion

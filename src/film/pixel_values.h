@@ -1,0 +1,65 @@
+#pragma once
+// From the sums of a pixel to what it shows.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/color.h"
+#include "film/exact_sum.h"
+#include "film/film_channels.h"
+#include "film/film_setup.h"
+#include "film/weighted_sums.h"
+
+namespace emulsion {
+
+/// A pixel whose weights have a mean below this has no value. The weights of filters with negative lobes can cancel;
+/// a quotient by such a sum is noise, magnified more than 1 / kMinMeanWeight = 64 times.
+inline constexpr double kMinMeanWeight = 1.0 / 64.0;
+
+/// All sums of one pixel. The spans are laid out as FilmChannels says.
+struct PixelSums {
+    WeightedSums weighted;
+    std::uint32_t samples = 0;
+    std::span<const ExactSum> channels = {};
+    std::span<const SquareSum> squares = {};
+};
+
+/// Whether the weights of the pixel's samples leave it a value.
+[[nodiscard]] bool has_value(const PixelSums& sums) noexcept;
+
+/// The weighted mean of the samples, whatever is done against fireflies; none if the pixel has no value.
+[[nodiscard]] std::optional<XYZd> mean_of(const PixelSums& sums) noexcept;
+
+/// What the camera samples give: mean_of(), or the median of means if the film takes that (of an even number of groups
+/// that have a value, the mean of the two in the middle); none if there is none.
+[[nodiscard]] std::optional<XYZd> camera_value_of(const PixelSums& sums, const FilmSetup& setup) noexcept;
+
+/// What the light splats give, over the number of light paths; 0 if there are none.
+[[nodiscard]] XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t light_paths) noexcept;
+
+/// Variance and standard error, each of luminance or of X, Y and Z as FilmVariance says; 0 for a pixel without value
+/// and for one with a single sample.
+struct PixelVariance {
+    /// Of the samples: n / (n - 1) (sum(w v^2) / sum(w) - (sum(w v) / sum(w))^2), at least 0; the square of cd/m^2
+    /// times the imaging ratio. With weights of 1 it is the usual unbiased estimate; with others it is that of the
+    /// filtered picture, where samples near the pixel's centre count more.
+    XYZd variance;
+    /// Of the pixel: sqrt(variance / effective number of samples); cd/m^2 times the imaging ratio. Kish's effective
+    /// number is n / mean square weight, with the mean over places that the filter has by itself: exact for samples
+    /// that are independent of each other and, where weights are not all the same, of their weights. Stratified and
+    /// low-discrepancy samples do better than independent ones, so that their error is overestimated.
+    XYZd standard_error;
+};
+[[nodiscard]] PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept;
+
+/// Mean radiance over a spectral bucket, W m^-2 sr^-1 nm^-1, light splats included; without the imaging ratio, and from
+/// the plain mean of samples under MedianOfMeans. None if neither samples nor light paths have reached it.
+[[nodiscard]] std::optional<double> bucket_radiance_of(const PixelSums& sums, const FilmSetup& setup, int bucket,
+                                                       std::uint64_t light_paths) noexcept;
+
+/// The weighted mean of a component of an auxiliary layer, over the samples that see something; 0 if none does.
+[[nodiscard]] double aux_value_of(const PixelSums& sums, const FilmSetup& setup, std::size_t layer,
+                                  std::size_t component) noexcept;
+
+}  // namespace emulsion
