@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/units.h"
-
 namespace emulsion {
 
 namespace {
@@ -27,14 +25,6 @@ bool all_inside(const BatchPixels& pixels, const PixelBounds& bounds) noexcept {
     return beyond_x <= last_x && beyond_y <= last_y;
 }
 
-bool contains(const PixelBounds& bounds, int x, int y) noexcept {
-    return x >= bounds.x0 && x < bounds.x1 && y >= bounds.y0 && y < bounds.y1;
-}
-
-bool is_outside_range(float lambda_nm) noexcept {
-    return lambda_nm < float{kMinWavelength_nm} || lambda_nm > float{kMaxWavelength_nm};
-}
-
 }  // namespace
 
 void validate(const BatchPixels& pixels, const PixelBounds& bounds) {
@@ -43,7 +33,7 @@ void validate(const BatchPixels& pixels, const PixelBounds& bounds) {
     if (!pixels.weight.empty()) require_length("weight", pixels.weight.size(), count);
     if (all_inside(pixels, bounds)) return;
     std::size_t i = 0;
-    while (contains(bounds, pixels.x_px[i], pixels.y_px[i])) ++i;
+    while (bounds.contains(pixels.x_px[i], pixels.y_px[i])) ++i;
     throw std::invalid_argument(
         "sample batch: sample " + std::to_string(i) + " is at pixel (" + std::to_string(pixels.x_px[i]) + ", " +
         std::to_string(pixels.y_px[i]) + "), expected one inside [" + std::to_string(bounds.x0) + ", " +
@@ -59,15 +49,6 @@ void validate(const BatchRadiance& radiance, std::size_t samples) {
     require_length("lambda_nm", radiance.lambda_nm.size(), samples * wavelengths);
     require_length("radiance", radiance.radiance.size(), samples * wavelengths);
     require_length("pdf_per_nm", radiance.pdf_per_nm.size(), samples * wavelengths);
-
-    unsigned outside = 0;
-    for (const float lambda_nm : radiance.lambda_nm) outside |= static_cast<unsigned>(is_outside_range(lambda_nm));
-    if (outside == 0) return;
-    const auto bad = std::find_if(radiance.lambda_nm.begin(), radiance.lambda_nm.end(), is_outside_range);
-    const auto i = static_cast<std::size_t>(bad - radiance.lambda_nm.begin()) / wavelengths;
-    throw std::invalid_argument("sample batch: a wavelength of sample " + std::to_string(i) + " is " +
-                                std::to_string(*bad) + " nm, expected numbers in [" +
-                                std::to_string(kMinWavelength_nm) + ", " + std::to_string(kMaxWavelength_nm) + "]");
 }
 
 }  // namespace emulsion

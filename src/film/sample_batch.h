@@ -3,6 +3,7 @@
 // A batch goes into a tile whole or not at all: everything is checked before the first sample is added. What comes out
 // is, bit for bit, what as many calls of BasicFilmTile::add give.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "core/units.h"
 #include "film/film_tile.h"
 #include "spectrum/sampled_spectrum.h"
 
@@ -27,7 +29,7 @@ struct BatchPixels {
 /// What the samples carry: N wavelengths each, those of one sample side by side.
 struct BatchRadiance {
     std::size_t wavelengths = 4;        ///< N, in [1, kMostBatchWavelengths]
-    std::span<const float> lambda_nm;   ///< in [kMinWavelength_nm, kMaxWavelength_nm]
+    std::span<const float> lambda_nm;   ///< carry nothing outside [kMinWavelength_nm, kMaxWavelength_nm]
     std::span<const float> radiance;    ///< W m^-2 sr^-1 nm^-1
     std::span<const float> pdf_per_nm;  ///< density each was drawn with; > 0
 };
@@ -37,9 +39,8 @@ inline constexpr std::size_t kMostBatchWavelengths = 256;
 /// that does not.
 void validate(const BatchPixels& pixels, const PixelBounds& bounds);
 
-/// For so many samples. NaN passes: such samples are kept out of the film, and counted.
-/// \throws std::invalid_argument naming the number of wavelengths, the length of an array or the first wavelength that
-/// is not as it should be.
+/// For so many samples.
+/// \throws std::invalid_argument naming the number of wavelengths, or an array that has another length.
 void validate(const BatchRadiance& radiance, std::size_t samples);
 
 namespace detail {
@@ -49,50 +50,101 @@ inline constexpr std::array<int, 9> kBatchWavelengthCounts = {1, 2, 4, 8, 16, 32
 static_assert(kBatchWavelengthCounts.back() == kMostBatchWavelengths);
 
 /// Calls visitor.template operator()<N>() with the smallest N that is enough.
-template <class Visitor>
+template <std::size_t I = 0, class Visitor>
 void visit_batch_wavelength_count(std::size_t wavelengths, const Visitor& visitor) {
-    const auto visit_if = [&]<int N, int Below>() {
-        const bool fits = wavelengths > Below && wavelengths <= N;
-        if (fits) visitor.template operator()<N>();
-        return fits;
-    };
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (visit_if.template operator() < kBatchWavelengthCounts[I],
-         I == 0 ? 0 : kBatchWavelengthCounts[I - (I > 0)] > () || ...);
+    constexpr int kCount = kBatchWavelengthCounts[I];
+    if constexpr (I + 1 < kBatchWavelengthCounts.size()) {
+        if (wavelengths > kCount) return visit_batch_wavelength_count<I + 1>(wavelengths, visitor);
     }
-    (std::make_index_sequence<kBatchWavelengthCounts.size()>{});
+    visitor.template operator()<kCount>();
 }
 
-/// Calls add(x, y, weight, i) for every sample.
+/// Calls add(i, x, y, weight) for every sample. Pointers of its own: the compiler must take it that a sum which is
+/// written may be one of the spans' pointers.
 template <class Add>
 void for_each_sample(const BatchPixels& pixels, const Add& add) {
     const std::size_t count = pixels.x_px.size();
+    const std::int32_t *const x = pixels.x_px.data(), *const y = pixels.y_px.data();
+    const float* const weight = pixels.weight.data();
     if (pixels.weight.empty()) {
-        for (std::size_t i = 0; i < count; ++i) add(pixels.x_px[i], pixels.y_px[i], 1.0f, i);
+        for (std::size_t i = 0; i < count; ++i) add(i, x[i], y[i], 1.0f);
     } else {
-        for (std::size_t i = 0; i < count; ++i) add(pixels.x_px[i], pixels.y_px[i], pixels.weight[i], i);
+        for (std::size_t i = 0; i < count; ++i) add(i, x[i], y[i], weight[i]);
     }
 }
 
-/// The i-th sample, in N >= its number of wavelengths. Wavelengths that it does not have get no radiance; as the sensor
-/// divides by N, the others get N / wavelengths of theirs.
 template <int N>
-void read_sample(const BatchRadiance& from, std::size_t i, SampledWavelengths<N>& wavelengths,
-                 SampledSpectrum<N>& radiance) noexcept {
-    const std::size_t first = i * from.wavelengths, bytes = from.wavelengths * sizeof(float);
-    if (from.wavelengths == N) {  // told apart for the compiler, which copies a known number in registers
-        std::memcpy(wavelengths.lambda_nm.data(), &from.lambda_nm[first], N * sizeof(float));
-        std::memcpy(wavelengths.pdf.data(), &from.pdf_per_nm[first], N * sizeof(float));
-        std::memcpy(radiance.value.data(), &from.radiance[first], N * sizeof(float));
-        return;
+struct BatchSpectrum {
+    SampledWavelengths<N> wavelengths;
+    SampledSpectrum<N> radiance;
+};
+
+/// The sensor takes only wavelengths within its tables. Those outside, which nobody sees, become 0 nm without radiance:
+/// that is in no bucket of a spectral film, either. A NaN stays, for the film to count.
+template <int N>
+void take_out_invisible(BatchSpectrum<N>& sample) noexcept {
+    // Four numbers in one vector register: of a loop, the compiler makes code that takes three times the time.
+    using Float4 [[gnu::vector_size(16)]] = float;
+    constexpr std::size_t kBytes = sizeof(float) * std::min(N, 4);
+    constexpr float kMin_nm = kMinWavelength_nm, kMax_nm = kMaxWavelength_nm;
+    constexpr Float4 kNone = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (std::size_t first = 0; first < N; first += 4) {
+        Float4 lambda_nm = kNone, radiance = kNone;
+        std::memcpy(&lambda_nm, &sample.wavelengths.lambda_nm[first], kBytes);
+        std::memcpy(&radiance, &sample.radiance.value[first], kBytes);
+        const auto is_invisible = (lambda_nm < kMin_nm) | (lambda_nm > kMax_nm);
+        lambda_nm = is_invisible ? kNone : lambda_nm;
+        radiance = is_invisible ? kNone : radiance;
+        std::memcpy(&sample.wavelengths.lambda_nm[first], &lambda_nm, kBytes);
+        std::memcpy(&sample.radiance.value[first], &radiance, kBytes);
     }
-    wavelengths.lambda_nm.fill(kMinWavelength_nm);
-    wavelengths.pdf.fill(1.0f);
-    radiance = {};
-    std::memcpy(wavelengths.lambda_nm.data(), &from.lambda_nm[first], bytes);
-    std::memcpy(wavelengths.pdf.data(), &from.pdf_per_nm[first], bytes);
-    std::memcpy(radiance.value.data(), &from.radiance[first], bytes);
-    radiance *= static_cast<float>(N) / static_cast<float>(from.wavelengths);
+}
+
+/// The i-th sample, of N wavelengths.
+template <int N>
+BatchSpectrum<N> read_sample(const BatchRadiance& from, std::size_t i) noexcept {
+    BatchSpectrum<N> sample;
+    std::memcpy(sample.wavelengths.lambda_nm.data(), &from.lambda_nm[i * N], N * sizeof(float));
+    std::memcpy(sample.wavelengths.pdf.data(), &from.pdf_per_nm[i * N], N * sizeof(float));
+    std::memcpy(sample.radiance.value.data(), &from.radiance[i * N], N * sizeof(float));
+    take_out_invisible(sample);
+    return sample;
+}
+
+/// The i-th sample, of fewer than N wavelengths, as one of N: the sensor divides by N, and by densities that are as
+/// much smaller. The wavelengths that it does not have carry nothing, and lie in no bucket of a spectral film.
+template <int N>
+BatchSpectrum<N> read_shorter_sample(const BatchRadiance& from, std::size_t i) noexcept {
+    BatchSpectrum<N> sample;
+    const std::size_t first = i * from.wavelengths;
+    const float share = static_cast<float>(from.wavelengths) / static_cast<float>(N);
+    for (std::size_t k = 0; k < N; ++k) {
+        const bool is_there = k < from.wavelengths;
+        sample.wavelengths.lambda_nm[k] = is_there ? from.lambda_nm[first + k] : 0.0f;
+        sample.wavelengths.pdf[k] = is_there ? share * from.pdf_per_nm[first + k] : 1.0f;
+        sample.radiance.value[k] = is_there ? from.radiance[first + k] : 0.0f;
+    }
+    take_out_invisible(sample);
+    return sample;
+}
+
+/// Calls add(wavelengths, radiance, where...) for every i and where... that for_each calls its argument with: spectra
+/// of a number of wavelengths that the compiler knows.
+template <class ForEach, class Add>
+void for_each_spectrum(const BatchRadiance& from, const ForEach& for_each, const Add& add) {
+    visit_batch_wavelength_count(from.wavelengths, [&]<int N>() {
+        const auto visit_with = [&](const auto& read) {
+            for_each([read, add, from](std::size_t i, auto... where) {
+                const BatchSpectrum<N> sample = read(from, i);
+                add(sample.wavelengths, sample.radiance, where...);
+            });
+        };
+        if (from.wavelengths == N) {
+            visit_with([](const auto&... sample) { return read_sample<N>(sample...); });
+        } else {
+            visit_with([](const auto&... sample) { return read_shorter_sample<N>(sample...); });
+        }
+    });
 }
 
 }  // namespace detail
@@ -102,14 +154,11 @@ template <class Sums>
 void add_batch(BasicFilmTile<Sums>& tile, const BatchPixels& pixels, const BatchRadiance& radiance) {
     validate(pixels, tile.bounds());
     validate(radiance, pixels.x_px.size());
-    detail::visit_batch_wavelength_count(radiance.wavelengths, [&]<int N>() {
-        detail::for_each_sample(pixels, [&](int x, int y, float weight, std::size_t i) {
-            SampledWavelengths<N> wavelengths;
-            SampledSpectrum<N> values;
-            detail::read_sample(radiance, i, wavelengths, values);
+    detail::for_each_spectrum(
+        radiance, [&](const auto& visit) { detail::for_each_sample(pixels, visit); },
+        [&tile](const auto& wavelengths, const auto& values, int x, int y, float weight) {
             tile.add(x, y, wavelengths, values, weight);
         });
-    });
 }
 
 /// Adds samples given as XYZ: xyz_of(i) is that of the i-th, in the film's units, as for BasicFilmTile::add. It must
@@ -119,7 +168,7 @@ requires std::is_invocable_r_v<XYZ, const XyzOf&, std::size_t>
 void add_batch(BasicFilmTile<Sums>& tile, const BatchPixels& pixels, const XyzOf& xyz_of) {
     validate(pixels, tile.bounds());
     detail::for_each_sample(pixels,
-                            [&](int x, int y, float weight, std::size_t i) { tile.add(x, y, xyz_of(i), weight); });
+                            [&](std::size_t i, int x, int y, float weight) { tile.add(x, y, xyz_of(i), weight); });
 }
 
 }  // namespace emulsion
