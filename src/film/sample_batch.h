@@ -79,25 +79,31 @@ struct BatchSpectrum {
     SampledSpectrum<N> radiance;
 };
 
-/// The sensor takes only wavelengths within its tables. Those outside, which nobody sees, become 0 nm without radiance:
-/// that is in no bucket of a spectral film, either. A NaN stays, for the film to count.
+/// Whether wavelengths of a sample lie outside the sensor's tables. NaN does not.
 template <int N>
-void take_out_invisible(BatchSpectrum<N>& sample) noexcept {
-    // Four numbers in one vector register: of a loop, the compiler makes code that takes three times the time.
+bool has_invisible(const SampledWavelengths<N>& wavelengths) noexcept {
+    // Four numbers in one vector register; a compiler's own vectorisation takes three times the time here.
     using Float4 [[gnu::vector_size(16)]] = float;
-    constexpr std::size_t kBytes = sizeof(float) * std::min(N, 4);
+    using Two [[gnu::vector_size(16)]] = std::int64_t;
     constexpr float kMin_nm = kMinWavelength_nm, kMax_nm = kMaxWavelength_nm;
-    constexpr Float4 kNone = {0.0f, 0.0f, 0.0f, 0.0f};
+    Two found = {0, 0};
     for (std::size_t first = 0; first < N; first += 4) {
-        Float4 lambda_nm = kNone, radiance = kNone;
-        std::memcpy(&lambda_nm, &sample.wavelengths.lambda_nm[first], kBytes);
-        std::memcpy(&radiance, &sample.radiance.value[first], kBytes);
-        const auto is_invisible = (lambda_nm < kMin_nm) | (lambda_nm > kMax_nm);
-        lambda_nm = is_invisible ? kNone : lambda_nm;
-        radiance = is_invisible ? kNone : radiance;
-        std::memcpy(&sample.wavelengths.lambda_nm[first], &lambda_nm, kBytes);
-        std::memcpy(&sample.radiance.value[first], &radiance, kBytes);
+        Float4 lambda_nm = {kMin_nm, kMin_nm, kMin_nm, kMin_nm};
+        std::memcpy(&lambda_nm, &wavelengths.lambda_nm[first], sizeof(float) * std::min(N, 4));
+        found |= reinterpret_cast<Two>((lambda_nm < kMin_nm) | (lambda_nm > kMax_nm));
     }
+    return (found[0] | found[1]) != 0;
+}
+
+/// Those become 0 nm without radiance: seen by nobody, and in no bucket of a spectral film.
+template <int N>
+BatchSpectrum<N> without_invisible(BatchSpectrum<N> sample) noexcept {
+    for (std::size_t k = 0; k < N; ++k) {
+        const float lambda_nm = sample.wavelengths.lambda_nm[k];
+        if (!(lambda_nm < float{kMinWavelength_nm} || lambda_nm > float{kMaxWavelength_nm})) continue;
+        sample.wavelengths.lambda_nm[k] = sample.radiance.value[k] = 0.0f;
+    }
+    return sample;
 }
 
 /// The i-th sample, of N wavelengths.
@@ -107,7 +113,6 @@ BatchSpectrum<N> read_sample(const BatchRadiance& from, std::size_t i) noexcept 
     std::memcpy(sample.wavelengths.lambda_nm.data(), &from.lambda_nm[i * N], N * sizeof(float));
     std::memcpy(sample.wavelengths.pdf.data(), &from.pdf_per_nm[i * N], N * sizeof(float));
     std::memcpy(sample.radiance.value.data(), &from.radiance[i * N], N * sizeof(float));
-    take_out_invisible(sample);
     return sample;
 }
 
@@ -124,8 +129,13 @@ BatchSpectrum<N> read_shorter_sample(const BatchRadiance& from, std::size_t i) n
         sample.wavelengths.pdf[k] = is_there ? share * from.pdf_per_nm[first + k] : 1.0f;
         sample.radiance.value[k] = is_there ? from.radiance[first + k] : 0.0f;
     }
-    take_out_invisible(sample);
     return sample;
+}
+
+template <int N, class Add, class... Where>
+[[gnu::noinline]] void add_visible(const BatchSpectrum<N>& sample, const Add& add, Where... where) {
+    const BatchSpectrum<N> visible = without_invisible(sample);
+    add(visible.wavelengths, visible.radiance, where...);
 }
 
 /// Calls add(wavelengths, radiance, where...) for every i and where... that for_each calls its argument with: spectra
@@ -136,6 +146,8 @@ void for_each_spectrum(const BatchRadiance& from, const ForEach& for_each, const
         const auto visit_with = [&](const auto& read) {
             for_each([read, add, from](std::size_t i, auto... where) {
                 const BatchSpectrum<N> sample = read(from, i);
+                if (has_invisible(sample.wavelengths)) [[unlikely]]
+                    return add_visible(sample, add, where...);
                 add(sample.wavelengths, sample.radiance, where...);
             });
         };
