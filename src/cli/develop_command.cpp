@@ -43,7 +43,7 @@ bool DevelopCommand::chosen() const { return command_->parsed(); }
 int DevelopCommand::run() const {
     const Options& options = *options_;
     check_writable(options.png);
-    const FilmImage picture = read_exr(options.exr);
+    const FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
     for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
     develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
     if (!options.quiet) print_output(fmt::format("wrote {}\n", options.png.string()));

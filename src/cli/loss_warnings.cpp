@@ -44,18 +44,21 @@ void warn_of_losses(const Film& film) {
 }
 
 std::vector<std::string> exr_losses(const ExrWriteResult& written, PixelType pixel_type) {
+    const bool is_half = pixel_type == PixelType::half;
+    const int bits = is_half ? 16 : 32;
+    const float largest = is_half ? 65504.0f : std::numeric_limits<float>::max();
     std::vector<std::string> losses;
-    if (written.clamped_count > 0) {
-        const bool is_half = pixel_type == PixelType::half;
-        losses.push_back(fmt::format(
-            "{} channel values are too large for {}-bit floats and were stored as {}, the "
-            "largest, with their sign",
-            written.clamped_count, is_half ? 16 : 32, is_half ? 65504.0f : std::numeric_limits<float>::max()));
-    }
-    if (written.non_finite_count > 0) {
-        losses.push_back(
-            fmt::format("{} channel values are NaN or infinite and were stored as such", written.non_finite_count));
-    }
+    const auto note = [&](std::int64_t count, const std::string& what) {
+        if (count > 0) losses.push_back(fmt::format("{} channel values are {}", count, what));
+    };
+    note(written.too_high_count,
+         fmt::format("too large for {}-bit floats and were stored as {}, the largest", bits, largest));
+    note(written.too_low_count,
+         fmt::format("negative and too large for {}-bit floats and were stored as {}, the lowest", bits, -largest));
+    note(written.vanished_positive_count, fmt::format("too small for {}-bit floats and were stored as 0", bits));
+    note(written.vanished_negative_count,
+         fmt::format("negative and too small for {}-bit floats and were stored as 0", bits));
+    note(written.non_finite_count, "NaN or infinite and were stored as such");
     return losses;
 }
 

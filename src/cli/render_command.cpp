@@ -18,6 +18,7 @@
 #include "cli/distinct_files.h"
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"
+#include "cli/named_option.h"
 #include "cli/pipeline_options.h"
 #include "cli/progress_display.h"
 #include "cli/stop_signals.h"
@@ -39,6 +40,7 @@ struct RenderCommand::Options {
     std::optional<std::uint64_t> seed;
     int wavelengths = RenderOptions{}.wavelengths;
     int threads = 0;
+    ExrOptions exr_options;
     bool rgb = false, half = false, quiet = false;
     Pipeline pipeline;
 };
@@ -97,11 +99,20 @@ FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const s
     FilmMetadata metadata;
     metadata.samples_per_pixel = static_cast<std::int64_t>(film.min_samples_per_pixel());
     metadata.sample_count = film.sample_count();
-    metadata.dropped_sample_count = film.dropped().count();
+    const DroppedSamples dropped = film.dropped();
+    metadata.dropped_nan_count = dropped.count(DroppedKind::nan);
+    metadata.dropped_infinite_count = dropped.count(DroppedKind::infinite);
+    metadata.dropped_negative_luminance_count = dropped.count(DroppedKind::negative_luminance);
     metadata.seed = options.seed;
     metadata.renderer_version = "emulsion " EMULSION_VERSION;
     metadata.command_line = command_line;
     return metadata;
+}
+
+/// The picture as the EXR just written holds it.
+Image<XYZ> read_back(const Image<XYZ>& picture, const std::filesystem::path& exr, const ExrOptions& options) {
+    if (!is_lossy(options.compression)) return as_stored(picture, options);
+    return read_exr(exr, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
 }
 
 /// The EXR's name where the command line gives none: the scene's, in the current folder.
@@ -171,7 +182,21 @@ RenderCommand::RenderCommand(CLI::App& program)
     command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
         ->check(CLI::Range(0, 1024))
         ->option_text("N");
-    command_->add_flag("--rgb", options.rgb, "Write linear Rec. 709 R G B into the EXR [default: X Y Z]");
+    CLI::Option* space =
+        command_
+            ->add_option_function<std::string>(
+                "--space",
+                [&options](const std::string& name) {
+                    options.exr_options.space = name;
+                    check_option("--space", options.exr_options);
+                },
+                fmt::format("Channels of the EXR: XYZ, or linear R G B of a space [default: {}]; one of\n  {}",
+                            options.exr_options.space, fmt::join(exr_space_names(), ", ")))
+            ->option_text("NAME");
+    command_->add_flag("--rgb", options.rgb, "Short for --space sRGB: linear, with the primaries of Rec. 709")
+        ->excludes(space);
+    add_named_option(*command_, "--compression", "compression", options.exr_options.compression,
+                     "Compression of the EXR");
     command_->add_flag("--half", options.half, "Write 16-bit floats into the EXR [default: 32-bit ones]");
     command_->add_flag("--quiet", options.quiet,
                        "No progress and no summary; warnings and errors only [default: both]");
@@ -198,9 +223,10 @@ int RenderCommand::run(const std::string& command_line) const {
     render_options.seed = options.seed.value_or(static_cast<std::uint64_t>(scene.sampler_seed));
     render_options.wavelengths = options.wavelengths;
     render_options.threads = options.threads;
-    ExrOptions exr_options;
-    exr_options.color = options.rgb ? ExrColor::rec709 : ExrColor::xyz;
+    ExrOptions exr_options = options.exr_options;
+    if (options.rgb) exr_options.space = "sRGB";
     exr_options.pixel_type = options.half ? PixelType::half : scene.film.pixel_type;
+    exr_options.threads = options.threads;
     const std::filesystem::path exr = options.exr.empty() ? default_exr(options.scene, scene) : options.exr;
 
     // What can't be written is found out before the work, not after.
@@ -227,7 +253,7 @@ int RenderCommand::run(const std::string& command_line) const {
         print_warning(exr.string() + ": " + loss);
     }
     if (!options.png.empty()) {
-        develop_to_png(as_stored(picture, exr_options), options.pipeline, options.threads, options.png);
+        develop_to_png(read_back(picture, exr, exr_options), options.pipeline, options.threads, options.png);
     }
     if (!options.quiet) {
         print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\nwrote {}\n", picture.width(),

@@ -15,11 +15,19 @@ template <class Metadata, class F>
 void for_each_metadata_field(Metadata& metadata, const F& field) {
     field("emulsion.samplesPerPixel", metadata.samples_per_pixel);
     field("emulsion.sampleCount", metadata.sample_count);
-    field("emulsion.droppedSampleCount", metadata.dropped_sample_count);
+    field("emulsion.droppedNanCount", metadata.dropped_nan_count);
+    field("emulsion.droppedInfiniteCount", metadata.dropped_infinite_count);
+    field("emulsion.droppedNegativeLuminanceCount", metadata.dropped_negative_luminance_count);
     field("emulsion.seed", metadata.seed);
     field("emulsion.rendererVersion", metadata.renderer_version);
     field("emulsion.commandLine", metadata.command_line);
+    field("emulsion.filter", metadata.filter);
+    field("emulsion.film", metadata.film);
+    field("emulsion.fireflyControl", metadata.firefly_control);
 }
+
+/// The exact buckets of the spectral channels, by rising wavelength: "centre:width centre:width ...", in nm.
+inline constexpr const char* kSpectralBucketsAttribute = "emulsion.spectralBuckets";
 
 inline std::string attribute_text(const std::string& value) { return value; }
 template <class Integer>

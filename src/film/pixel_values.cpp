@@ -31,8 +31,8 @@ std::optional<XYZd> median_of_means(std::span<const ExactSum> groups) noexcept {
 }
 
 /// n / (n - 1) (square - mean^2).
-double variance(double mean_square, double mean, double samples) noexcept {
-    return std::max(0.0, samples / (samples - 1.0) * (mean_square - mean * mean));
+double variance(double mean_square, double mean, double effective_samples) noexcept {
+    return std::max(0.0, effective_samples / (effective_samples - 1.0) * (mean_square - mean * mean));
 }
 
 }  // namespace
@@ -63,11 +63,10 @@ XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t
 PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept {
     PixelVariance result;
     const std::optional<XYZd> mean = mean_of(sums);
-    if (!mean || sums.samples < 2 || sums.squares.empty()) return result;
-    const auto samples = static_cast<double>(sums.samples);
-    const double effective = samples / setup.mean_square_weight;
+    const double effective = static_cast<double>(sums.samples) / setup.mean_square_weight;
+    if (!mean || sums.samples < 2 || !(effective > 1.0) || sums.squares.empty()) return result;
     const auto fill = [&](double XYZd::*component, const SquareSum& square) {
-        result.variance.*component = variance(square.value() / sums.weighted.weight, (*mean).*component, samples);
+        result.variance.*component = variance(square.value() / sums.weighted.weight, (*mean).*component, effective);
         result.standard_error.*component = std::sqrt(result.variance.*component / effective);
     };
     if (sums.squares.size() == 1) {

@@ -40,16 +40,18 @@ struct PixelSums {
 
 /// Variance and standard error, each of luminance or of X, Y and Z as FilmVariance says; 0 for a pixel without value
 /// and for one with a single sample.
+///
+/// n is Kish's effective number of samples, their number over the mean square weight that the filter has by itself
+/// (FilmSetup): what n samples of weight 1 would be as good as. Exact, but for terms of the order of 1/n, for samples
+/// that are independent of each other and, where weights are not all the same, of their weights. Stratified and
+/// low-discrepancy samples do better than independent ones, so that their error is overestimated.
+/// Source: Kish, "Survey Sampling", 1965, section 11.7.
 struct PixelVariance {
     /// Of the samples: n / (n - 1) (sum(w v^2) / sum(w) - (sum(w v) / sum(w))^2), at least 0; the square of cd/m^2
-    /// times the imaging ratio. With weights of 1 it is the usual unbiased estimate; with others it is that of the
-    /// filtered picture, where samples near the pixel's centre count more.
+    /// times the imaging ratio. With weights of 1 it is the usual unbiased estimate; with others samples near the
+    /// pixel's centre count more.
     XYZd variance;
-    /// Of the pixel: sqrt(variance / effective number of samples); cd/m^2 times the imaging ratio. Kish's effective
-    /// number is n / mean square weight, with the mean over places that the filter has by itself: exact for samples
-    /// that are independent of each other and, where weights are not all the same, of their weights. Stratified and
-    /// low-discrepancy samples do better than independent ones, so that their error is overestimated.
-    XYZd standard_error;
+    XYZd standard_error;  ///< of the pixel: sqrt(variance / n); cd/m^2 times the imaging ratio
 };
 [[nodiscard]] PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept;
 

@@ -55,15 +55,23 @@ TEST_F(Losses, ValuesTooLargeForTheFileAreCounted) {
     EXPECT_THAT(result.err, HasSubstr(exr_ + ": 3600 channel values are too large for 16-bit floats"));
 }
 
-TEST(ExrLosses, NameTheTypeThatWasTooSmall) {
-    const ExrWriteResult both{.clamped_count = 7, .non_finite_count = 5};
-    EXPECT_THAT(cli::exr_losses(both, PixelType::half),
-                ElementsAre(HasSubstr("7 channel values are too large for 16-bit floats and were stored as 65504,"),
-                            HasSubstr("5 channel values are NaN or infinite")));
+TEST(ExrLosses, TellEachKindAndNameTheTypeThatWasTooSmall) {
+    const ExrWriteResult all{.too_high_count = 7,
+                             .too_low_count = 6,
+                             .vanished_positive_count = 5,
+                             .vanished_negative_count = 4,
+                             .non_finite_count = 3};
+    EXPECT_THAT(cli::exr_losses(all, PixelType::half),
+                ElementsAre("7 channel values are too large for 16-bit floats and were stored as 65504, the largest",
+                            "6 channel values are negative and too large for 16-bit floats and were stored as -65504, "
+                            "the lowest",
+                            "5 channel values are too small for 16-bit floats and were stored as 0",
+                            "4 channel values are negative and too small for 16-bit floats and were stored as 0",
+                            "3 channel values are NaN or infinite and were stored as such"));
     EXPECT_THAT(
-        cli::exr_losses(both, PixelType::float32),
+        cli::exr_losses({.too_high_count = 7, .non_finite_count = 3}, PixelType::float32),
         ElementsAre(HasSubstr("7 channel values are too large for 32-bit floats and were stored as 3.4028235e+38,"),
-                    HasSubstr("5 channel values are NaN or infinite")));
+                    HasSubstr("3 channel values are NaN or infinite")));
     EXPECT_THAT(cli::exr_losses({}, PixelType::half), IsEmpty());
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -41,21 +42,37 @@ inline Image<XYZ> picture(int width, int height, float scale = 1.0f) {
 }
 
 inline FilmMetadata metadata() {
-    return {
-        64, std::uint64_t{1} << 40u, 3, 0xfedcba9876543210u, "0.1.0 (test)", "emulsion render \"a b.pbrt\" --spp 64"};
+    return {.samples_per_pixel = 64,
+            .sample_count = std::uint64_t{1} << 40u,
+            .dropped_nan_count = 3,
+            .dropped_infinite_count = 5,
+            .dropped_negative_luminance_count = 7,
+            .seed = 0xfedcba9876543210u,
+            .renderer_version = "0.1.0 (test)",
+            .command_line = "emulsion render \"a b.pbrt\" --spp 64",
+            .filter = "mitchell:radius=2,b=0.3333333,c=0.3333333",
+            .film = "sensor=cie-1931",
+            .firefly_control = "luminance clamped at 1000 cd/m^2; bias -0.3 %"};
 }
 
+/// Every kind of channel and pixel type, not compressed and by the default.
 inline const std::vector<ExrOptions> kAllOptions = [] {
     std::vector<ExrOptions> all;
-    for (const ExrColor color : {ExrColor::xyz, ExrColor::rec709}) {
+    for (const char* space : {"XYZ", "sRGB"}) {
         for (const PixelType type : {PixelType::float32, PixelType::half}) {
-            for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
-                all.push_back({color, type, compression});
+            for (const ExrCompression& compression :
+                 {ExrCompression(NoCompression{}), ExrCompression(ZipCompression{})}) {
+                all.push_back({.space = space, .pixel_type = type, .compression = compression});
             }
         }
     }
     return all;
 }();
+
+inline bool same_bits(const Image<XYZ>& a, const Image<XYZ>& b) {
+    return a.width() == b.width() && a.height() == b.height() &&
+           std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
 
 /// A new file each time: some file systems flush one that is overwritten to disk, and these tests write thousands.
 inline void write_bytes(const fs::path& path, const std::string& bytes) {

@@ -88,18 +88,35 @@ TEST_F(ExrFile, DataWindowMayLieAnywhere) {
     what.window = {{-7, 100}, {-3, 102}};
     write_foreign(file("a.exr"), what);
     const FilmImage read = read_exr(file("a.exr"));
-    EXPECT_EQ(read.data_window, (PixelBounds{-7, 100, -2, 103}));
+    EXPECT_EQ(read.data_window, (PixelBounds{0, 0, 5, 3})) << "the frame's first pixel is (0, 0)";
+    EXPECT_EQ(read.width_px, 5);
+    EXPECT_EQ(read.height_px, 3);
     EXPECT_NEAR(read.xyz(4, 2).y, 15.0f, 1e-5f);
+
+    write_foreign(file("a.exr"), what, [](Imf::Header& header) { header.displayWindow() = {{-10, 98}, {89, 197}}; });
+    const FilmImage crop = read_exr(file("a.exr"));
+    EXPECT_EQ(crop.data_window, (PixelBounds{3, 2, 8, 5}));
+    EXPECT_EQ(crop.width_px, 100);
+    EXPECT_EQ(crop.height_px, 100);
 }
 
-TEST_F(ExrFile, OtherChannelsAreLeftOutAndSaid) {
+TEST_F(ExrFile, OtherChannelsBecomeLayersOrAreLeftOutAndSaid) {
     ForeignFile what;
-    what.channels = {"A", "B", "G", "R", "X", "Y", "Z"};
+    what.channels = {"A", "B", "G", "R", "X", "Y", "Z", "albedo.R"};
     write_foreign(file("a.exr"), what);
     const FilmImage read = read_exr(file("a.exr"));
     EXPECT_EQ(read.xyz(1, 0), (XYZ{2.0f, 2.0f, 2.0f})) << "X Y Z come before R G B";
-    EXPECT_THAT(read.notes, ElementsAre(HasSubstr("channel A"), HasSubstr("channel B"), HasSubstr("channel G"),
-                                        HasSubstr("channel R"), HasSubstr("whiteLuminance")));
+    ASSERT_EQ(read.floats.size(), 5u);
+    EXPECT_EQ(read.floats[0].name, "A");
+    EXPECT_EQ(read.floats[4].name, "albedo.R");
+    EXPECT_EQ(read.floats[4].values(4, 2), 15.0f);
+    EXPECT_THAT(read.notes, ElementsAre(HasSubstr("whiteLuminance")));
+
+    const FilmImage picture_only = read_exr(file("a.exr"), {.layers = ExrLayers::skip});
+    EXPECT_EQ(picture_only.xyz, read.xyz);
+    EXPECT_THAT(picture_only.floats, IsEmpty());
+    EXPECT_THAT(picture_only.notes, ElementsAre(HasSubstr("channel A"), HasSubstr("channel B"), HasSubstr("channel G"),
+                                                HasSubstr("channel R"), HasSubstr("whiteLuminance")));
 }
 
 TEST_F(ExrFile, OtherKindsOfChannelsAreRefused) {

@@ -16,6 +16,7 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 #include <sys/resource.h>
 
 #include "core/error.h"
@@ -26,11 +27,6 @@ namespace emulsion {
 namespace {
 
 using testing::IsEmpty;
-
-bool same_bits(const Image<XYZ>& a, const Image<XYZ>& b) {
-    return a.width() == b.width() && a.height() == b.height() &&
-           std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
-}
 
 TEST_F(ExrFile, ReadsBackWhatAsStoredSays) {
     Image<XYZ> image = picture(37, 131);
@@ -55,8 +51,8 @@ TEST_F(ExrFile, FloatXyzIsStoredAsItIs) {
 
 TEST_F(ExrFile, RgbAndHalfKeepTheirPrecision) {
     const Image<XYZ> image = picture(64, 64);
-    const Image<XYZ> rgb = as_stored(image, {ExrColor::rec709});
-    const Image<XYZ> half = as_stored(image, {ExrColor::xyz, PixelType::half});
+    const Image<XYZ> rgb = as_stored(image, {.space = "sRGB"});
+    const Image<XYZ> half = as_stored(image, {.pixel_type = PixelType::half});
     for (std::size_t i = 0; i < image.pixels().size(); ++i) {
         const XYZ expected = image.pixels()[i];
         const float size = expected.x + expected.y + std::abs(expected.z);
@@ -68,16 +64,42 @@ TEST_F(ExrFile, RgbAndHalfKeepTheirPrecision) {
 }
 
 TEST_F(ExrFile, CountsWhatItCannotHold) {
-    Image<XYZ> image(2, 1);
+    Image<XYZ> image(3, 1);
     image(0, 0) = {65504.0f, 65505.0f, -1e6f};
     image(1, 0) = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.0f};
-    const ExrOptions half{ExrColor::xyz, PixelType::half};
-    EXPECT_EQ(write_exr(file("a.exr"), image, {}, half), (ExrWriteResult{2, 2}));
-    EXPECT_EQ(read_exr(file("a.exr")).xyz(0, 0), (XYZ{65504.0f, 65504.0f, -65504.0f}));
-    EXPECT_EQ(write_exr(file("b.exr"), image, {}), (ExrWriteResult{0, 2}));
+    // Half has 2^-24 at least: half of that is a tie, which goes to 0, and a subnormal number is no loss.
+    image(2, 0) = {0x1p-25f, -0x1p-30f, 0x1.8p-24f};
+    const ExrOptions half{.pixel_type = PixelType::half};
+    EXPECT_EQ(write_exr(file("a.exr"), image, {}, half), (ExrWriteResult{.too_high_count = 1,
+                                                                         .too_low_count = 1,
+                                                                         .vanished_positive_count = 1,
+                                                                         .vanished_negative_count = 1,
+                                                                         .non_finite_count = 2}));
+    const Image<XYZ> read = read_exr(file("a.exr")).xyz;
+    EXPECT_EQ(read(0, 0), (XYZ{65504.0f, 65504.0f, -65504.0f}));
+    EXPECT_EQ(read(2, 0), (XYZ{0.0f, 0.0f, 0x1p-23f}));
+    EXPECT_TRUE(std::signbit(read(2, 0).y));
+    EXPECT_EQ(write_exr(file("b.exr"), image, {}), (ExrWriteResult{.non_finite_count = 2}));
 
-    image(1, 0) = {3e38f, 0.0f, 0.0f};  // red of Rec. 709 is 3.24 times that
-    EXPECT_EQ(write_exr(file("c.exr"), image, {}, {ExrColor::rec709}), (ExrWriteResult{1, 0}));
+    image(1, 0) = image(2, 0) = {};
+    image(0, 0) = {3e38f, 0.0f, 0.0f};  // red of sRGB is 3.24 times that, blue 0.056 times, and green -0.97 times
+    EXPECT_EQ(write_exr(file("c.exr"), image, {}, {.space = "sRGB"}), (ExrWriteResult{.too_high_count = 1}));
+    image(0, 0) = {-3e38f, 0.0f, 0.0f};
+    EXPECT_EQ(write_exr(file("d.exr"), image, {}, {.space = "sRGB"}), (ExrWriteResult{.too_low_count = 1}));
+}
+
+// The counts are sums over rows that many threads write.
+TEST_F(ExrFile, CountsDoNotDependOnThreads) {
+    const Image<XYZ> image = picture(300, 500, 100.0f);
+    for (const char* space : {"XYZ", "ACEScg_AP1"}) {
+        ExrOptions options{.space = space, .pixel_type = PixelType::half, .threads = 1};
+        const ExrWriteResult one = write_exr(file("one.exr"), image, {}, options);
+        EXPECT_GT(one.too_high_count, 1000);
+        options.threads = 7;
+        EXPECT_EQ(write_exr(file("seven.exr"), image, {}, options), one);
+        EXPECT_EQ(read_text(file("seven.exr")), read_text(file("one.exr")));
+        EXPECT_TRUE(same_bits(read_exr(file("one.exr"), {.threads = 1}).xyz, read_exr(file("one.exr")).xyz));
+    }
 }
 
 TEST_F(ExrFile, HeaderSaysWhatTheNumbersAre) {
@@ -87,16 +109,19 @@ TEST_F(ExrFile, HeaderSaysWhatTheNumbersAre) {
     EXPECT_EQ(Imf::chromaticities(xyz.header()).green, Imath::V2f(0.0f, 1.0f));
     EXPECT_EQ(Imf::chromaticities(xyz.header()).blue, Imath::V2f(0.0f, 0.0f));
     EXPECT_EQ(Imf::whiteLuminance(xyz.header()), 1.0f);
+    EXPECT_FALSE(Imf::hasAdoptedNeutral(xyz.header())) << "the white of the axes is nobody's neutral";
     EXPECT_EQ(xyz.header().channels()["Y"].type, Imf::FLOAT);
     EXPECT_EQ(xyz.header().compression(), Imf::ZIP_COMPRESSION);
     EXPECT_EQ(xyz.header().typedAttribute<Imf::StringAttribute>("emulsion.samplesPerPixel").value(), "64");
     EXPECT_EQ(xyz.header().typedAttribute<Imf::StringAttribute>("emulsion.commandLine").value(),
               metadata().command_line);
 
-    write_exr(file("rgb.exr"), picture(4, 4), {}, {ExrColor::rec709, PixelType::half, ExrCompression::none});
+    write_exr(file("rgb.exr"), picture(4, 4), {},
+              {.space = "sRGB", .pixel_type = PixelType::half, .compression = NoCompression{}});
     const Imf::InputFile rgb(file("rgb.exr").c_str());
     EXPECT_EQ(Imf::chromaticities(rgb.header()).red, Imath::V2f(0.64f, 0.33f));
     EXPECT_EQ(Imf::chromaticities(rgb.header()).white, Imath::V2f(0.3127f, 0.329f));
+    EXPECT_EQ(Imf::adoptedNeutral(rgb.header()), Imath::V2f(0.3127f, 0.329f));
     EXPECT_EQ(rgb.header().channels()["G"].type, Imf::HALF);
     EXPECT_EQ(rgb.header().compression(), Imf::NO_COMPRESSION);
 }
@@ -137,7 +162,7 @@ TEST_F(ExrFile, RefusesAWhiteLuminanceOutOfRange) {
 TEST_F(ExrFile, WhiteIsRgbOne) {
     Image<XYZ> image(1, 1);
     image(0, 0) = {0.3127f / 0.329f, 1.0f, (1.0f - 0.3127f - 0.329f) / 0.329f};
-    write_exr(file("a.exr"), image, {}, {ExrColor::rec709});
+    write_exr(file("a.exr"), image, {}, {.space = "sRGB"});
     Imf::InputFile in(file("a.exr").c_str());
     std::array<float, 3> rgb{};
     Imf::FrameBuffer pixels;
@@ -184,10 +209,11 @@ TEST_F(ExrFile, WriteOverAFolderIsAnIoError) {
 // A disk that fills up at the header, in the middle, and at the last byte. That one is still in the stream's buffer
 // when OpenEXR's destructor, which swallows errors, flushes it.
 TEST_F(ExrFile, FullDiskLeavesTheOldFileAndNoPartOfTheNew) {
-    for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
-        const ExrOptions options{ExrColor::xyz, PixelType::float32, compression};
+    for (const ExrCompression& compression : {ExrCompression(NoCompression{}), ExrCompression(ZipCompression{})}) {
+        const ExrOptions options{.compression = compression};
         write_exr(file("whole.exr"), picture(64, 200), metadata(), options);
         const std::uint64_t size = fs::file_size(file("whole.exr"));
+        Imf::setGlobalThreadCount(0);  // a forked process has none of the pool's threads, and would wait for them
         for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{100}, size / 2, size - 1}) {
             write_bytes(file("old.exr"), "old");
             EXPECT_EXIT(write_with_limit(file("old.exr"), options, limit), testing::ExitedWithCode(0), "") << limit;

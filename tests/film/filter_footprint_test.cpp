@@ -1,0 +1,185 @@
+// Splatting: which pixels a filter reaches, and with what weights.
+
+#include "film/filter_footprint.h"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "film/filter_sampler.h"
+#include "filter_examples.h"
+
+namespace emulsion {
+namespace {
+
+using testing::example_filters;
+using testing::name_of;
+
+constexpr int kFar = 1000;
+
+std::vector<float> weights_at(const FilterFootprint& footprint, FilterAxis axis, float place_px,
+                              FilterFootprint::Reach reach) {
+    std::vector<float> weights(static_cast<std::size_t>(reach.end - reach.begin));
+    footprint.weights(axis, place_px, reach, weights);
+    return weights;
+}
+
+TEST(FilterFootprint, ReachesThePixelsWithinTheRadiusAndNoOthers) {
+    for (const Filter& filter : example_filters()) {
+        const FilterFootprint footprint(filter);
+        const double radius = radius_px(filter, FilterAxis::x);
+        Pcg32 random(1);
+        for (int k = 0; k < 200; ++k) {
+            const float place = 40.0f * random.next_float() - 20.0f;
+            const auto reach = footprint.reach(FilterAxis::x, place, -kFar, kFar);
+            for (int i = -60; i < 60; ++i) {
+                const double offset = i + 0.5 - static_cast<double>(place);
+                EXPECT_EQ(i >= reach.begin && i < reach.end, -radius < offset && offset <= radius) << name_of(filter);
+            }
+            EXPECT_LE(static_cast<std::size_t>(reach.end - reach.begin), footprint.most_pixels(FilterAxis::x));
+        }
+    }
+}
+
+TEST(FilterFootprint, ReachIsCutToThePixelsThereAre) {
+    const FilterFootprint footprint(MitchellFilter{});
+    const auto reach = [&](float place, int first, int last) {
+        const auto found = footprint.reach(FilterAxis::x, place, first, last);
+        return std::pair(found.begin, found.end);
+    };
+    EXPECT_EQ(reach(5.5f, 0, 10), std::pair(4, 8));  // 3 and 7 are at the radius itself, of which one belongs
+    EXPECT_EQ(reach(5.25f, 0, 10), std::pair(3, 7));
+    EXPECT_EQ(reach(5.25f, 4, 6), std::pair(4, 6));
+    EXPECT_EQ(reach(-1.75f, 0, 10).second, 0);
+    EXPECT_EQ(reach(-1.25f, 0, 10), std::pair(0, 1));
+    EXPECT_EQ(reach(1e30f, 0, 10), std::pair(10, 10));
+    EXPECT_EQ(reach(-1e30f, 0, 10), std::pair(0, 0));
+}
+
+// A place on the border of two pixels belongs to one of them.
+TEST(FilterFootprint, BoxOfHalfAPixelReachesOnePixelFromEverywhere) {
+    const FilterFootprint footprint(BoxFilter{});
+    for (int k = -64; k < 64; ++k) {
+        const float place = 0.125f * static_cast<float>(k);
+        const auto reach = footprint.reach(FilterAxis::x, place, -kFar, kFar);
+        ASSERT_EQ(reach.end - reach.begin, 1) << place;
+        EXPECT_EQ(reach.begin, static_cast<int>(std::floor(place)));
+        EXPECT_EQ(weights_at(footprint, FilterAxis::x, place, reach)[0], 1.0f);
+    }
+}
+
+TEST(FilterFootprint, WeightsAreTheFilterOfMeanOne) {
+    for (const Filter& filter : example_filters()) {
+        const FilterFootprint footprint(filter);
+        for (const FilterAxis axis : {FilterAxis::x, FilterAxis::y}) {
+            const double radius = radius_px(filter, axis);
+            // The mean over the support, and the scale by the reference.
+            constexpr int kSteps = 200000;
+            double sum = 0.0, sum_of_squares = 0.0;
+            for (int i = 0; i < kSteps; ++i) {
+                const double weight = footprint.weight_reference(axis, radius * (i + 0.5) / kSteps);
+                sum += weight / kSteps;
+                sum_of_squares += weight * weight / kSteps;
+            }
+            EXPECT_NEAR(sum, 1.0, 1e-7) << name_of(filter);
+            const double middle = footprint.weight_reference(axis, 0.0);
+            for (int i = 0; i < 50; ++i) {
+                const double offset = radius * i / 50.0;
+                EXPECT_NEAR(footprint.weight_reference(axis, offset),
+                            middle * eval(filter, axis, offset) / eval(filter, axis, 0.0), 1e-12 * middle);
+            }
+            if (axis == FilterAxis::x && radius_px(filter, FilterAxis::y) == radius) {
+                EXPECT_NEAR(footprint.mean_square_weight(), sum_of_squares * sum_of_squares, 1e-6 * sum_of_squares);
+            }
+        }
+    }
+}
+
+TEST(FilterFootprint, FastPathFollowsItsTwin) {
+    for (const Filter& filter : example_filters()) {
+        const FilterFootprint footprint(filter);
+        Pcg32 random(3);
+        for (int k = 0; k < 2000; ++k) {
+            const float place = 10.0f * random.next_float();
+            const auto reach = footprint.reach(FilterAxis::y, place, -kFar, kFar);
+            const std::vector<float> weights = weights_at(footprint, FilterAxis::y, place, reach);
+            for (int i = reach.begin; i < reach.end; ++i) {
+                const double expected = footprint.weight_reference(FilterAxis::y, i + 0.5 - static_cast<double>(place));
+                // The cubic's 2e-6, and the rounding of weights of up to 3 in single precision.
+                EXPECT_NEAR(static_cast<double>(weights[static_cast<std::size_t>(i - reach.begin)]), expected, 4e-6)
+                    << name_of(filter);
+            }
+        }
+    }
+}
+
+// Shapes far narrower than a cell of the table are evaluated themselves.
+TEST(FilterFootprint, NarrowShapesAreNoCubics) {
+    const Filter filter = GaussianFilter{2.0f, 2.0f, 0.004f};
+    const FilterFootprint footprint(filter);
+    for (const float place : {10.5f, 10.503f, 10.51f, 10.52f}) {
+        const double offset = 10.5 - static_cast<double>(place);
+        const double expected = footprint.weight_reference(FilterAxis::x, offset);
+        const auto weight = weights_at(footprint, FilterAxis::x, place, {10, 11})[0];
+        EXPECT_NEAR(static_cast<double>(weight), expected, 1e-6 * footprint.weight_reference(FilterAxis::x, 0.0));
+    }
+}
+
+TEST(FilterFootprint, PlacesAndPixelsReachEachOther) {
+    for (const Filter& filter : example_filters()) {
+        const FilterFootprint footprint(filter);
+        const PixelBounds pixels{3, -2, 9, 4};
+        const PixelBounds places = footprint.places_that_reach(pixels);
+        const auto reaches = [&](float x, float y) {
+            const auto xs = footprint.reach(FilterAxis::x, x, pixels.x0, pixels.x1);
+            const auto ys = footprint.reach(FilterAxis::y, y, pixels.y0, pixels.y1);
+            return xs.begin < xs.end && ys.begin < ys.end;
+        };
+        Pcg32 random(5);
+        for (int k = 0; k < 2000; ++k) {
+            const float x = 30.0f * random.next_float() - 10.0f, y = 30.0f * random.next_float() - 12.0f;
+            const bool is_inside = x >= static_cast<float>(places.x0) && x <= static_cast<float>(places.x1) &&
+                                   y >= static_cast<float>(places.y0) && y <= static_cast<float>(places.y1);
+            EXPECT_TRUE(is_inside || !reaches(x, y)) << name_of(filter) << x << ' ' << y;
+        }
+        // From the corners of a region, all that is reached lies within what reached_from() says.
+        const PixelBounds reached = footprint.reached_from(places);
+        for (const int x : {places.x0, places.x1}) {
+            const auto reach = footprint.reach(FilterAxis::x, static_cast<float>(x), -kFar, kFar);
+            if (reach.begin >= reach.end) continue;
+            EXPECT_GE(reach.begin, reached.x0);
+            EXPECT_LE(reach.end, reached.x1);
+        }
+        EXPECT_TRUE(reached.contains(pixels));
+    }
+}
+
+TEST(FilterFootprint, RefusesFiltersWiderThanPictures) {
+    EXPECT_THROW(FilterFootprint(BoxFilter{1e6f, 1.0f}), std::invalid_argument);
+    EXPECT_THROW(FilterFootprint(BoxFilter{1.0f, -1.0f}), std::invalid_argument);
+    EXPECT_NO_THROW(FilterFootprint(BoxFilter{65536.0f, 1.0f}));
+}
+
+// Sampled by importance, a weight's mean square is that of the sampler's own weights.
+TEST(FilterSamplerWeights, MeanSquareIsThatOfTheSamples) {
+    for (const Filter& filter : example_filters()) {
+        const FilterSampler sampler(filter);
+        // Along one axis and the other: weights are products.
+        constexpr int kSteps = 40 * FilterSampler::kCells;
+        const auto square = [&](double u, double v) { return std::pow(sampler.sample_reference(u, v).weight, 2.0); };
+        double along_x = 0.0, along_y = 0.0;
+        for (int i = 0; i < kSteps; ++i) {
+            along_x += square((i + 0.5) / kSteps, 0.5) / kSteps;
+            along_y += square(0.5, (i + 0.5) / kSteps) / kSteps;
+        }
+        const double sum = along_x * along_y / square(0.5, 0.5);
+        EXPECT_NEAR(sampler.mean_square_weight(), sum, 1e-3 * sum) << name_of(filter);
+    }
+}
+
+}  // namespace
+}  // namespace emulsion
