@@ -11,6 +11,7 @@
 #include "capi/handles.h"
 #include "capi/sized_struct.h"
 #include "capi/status.h"
+#include "core/named_value.h"
 
 namespace {
 
@@ -26,7 +27,16 @@ emulsion_film_options default_film_options() {
     options.exposure_time_s = film.sensor.exposure_time_s;
     options.iso = film.sensor.iso;
     options.observer = "cie_1931_2deg";
+    options.filter = "box";
+    options.filter_use = EMULSION_IMPORTANCE_SAMPLED;
     return options;
+}
+
+emulsion::FilterUse filter_use(std::int32_t number) {
+    if (number == EMULSION_IMPORTANCE_SAMPLED) return emulsion::FilterUse::importance_sampled;
+    if (number == EMULSION_SPLATTED) return emulsion::FilterUse::splatted;
+    throw std::invalid_argument("film options: filter_use is " + std::to_string(number) +
+                                ", expected an emulsion_filter_use");
 }
 
 emulsion::FilmOptions film_options(const emulsion_film_options& given) {
@@ -37,6 +47,16 @@ emulsion::FilmOptions film_options(const emulsion_film_options& given) {
     film.sensor.exposure_time_s = options.exposure_time_s;
     film.sensor.iso = options.iso;
     film.sensor.observer = &dereference(options.observer, "film options: observer");
+    const emulsion::PixelBounds crop{options.crop.x0, options.crop.y0, options.crop.x1, options.crop.y1};
+    if (crop != emulsion::PixelBounds{}) film.crop = crop;
+    film.filter =
+        emulsion::parse_named<emulsion::Filter>(&dereference(options.filter, "film options: filter"), "filter");
+    film.filter_use = filter_use(options.filter_use);
+    if (options.light_splats != 0 && options.light_splats != 1) {
+        throw std::invalid_argument("film options: light_splats is " + std::to_string(options.light_splats) +
+                                    ", expected 0 or 1");
+    }
+    film.light_splats = options.light_splats == 1;
     return film;
 }
 
@@ -67,8 +87,23 @@ emulsion_status emulsion_film_bounds(const emulsion_film* film, emulsion_rect* b
     });
 }
 
+emulsion_status emulsion_film_sample_bounds(const emulsion_film* film, emulsion_rect* bounds) {
+    return guarded([&] {
+        const emulsion::PixelBounds places = dereference(film, "film").film.sample_bounds();
+        dereference(bounds, "bounds") = {places.x0, places.y0, places.x1, places.y1};
+    });
+}
+
 emulsion_status emulsion_film_merge_tile(emulsion_film* film, const emulsion_tile* tile) {
     return guarded([&] { dereference(film, "film").film.merge(dereference(tile, "tile").tile); });
+}
+
+emulsion_status emulsion_film_merge_film(emulsion_film* film, const emulsion_film* other) {
+    return guarded([&] { dereference(film, "film").film.merge(dereference(other, "other").film); });
+}
+
+emulsion_status emulsion_film_add_light_paths(emulsion_film* film, uint64_t paths) {
+    return guarded([&] { dereference(film, "film").film.add_light_paths(paths); });
 }
 
 emulsion_status emulsion_film_sample_count(const emulsion_film* film, uint64_t* count) {

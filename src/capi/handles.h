@@ -11,6 +11,9 @@ struct emulsion_film {
 
 struct emulsion_tile {
     emulsion::FilmTile tile;
-    double imaging_ratio;  // of its film
+    // Of its film
+    double imaging_ratio;
+    emulsion::FilterUse filter_use;
+    bool light_splats;
 };
 // NOLINTEND(readability-identifier-naming)

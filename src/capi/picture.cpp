@@ -6,7 +6,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "capi/emulsion.h"
 #include "capi/handles.h"
@@ -15,7 +14,8 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "core/matrix3.h"
-#include "core/name_key.h"
+#include "core/named_value.h"
+#include "film/exr_compression.h"
 #include "film/exr_file.h"
 #include "film/film.h"
 #include "spectrum/rgb_space.h"
@@ -41,33 +41,20 @@ std::span<float> channels(float* numbers, std::size_t length, const emulsion::Fi
 emulsion_exr_options default_exr_options() {
     emulsion_exr_options options{};
     options.size = sizeof options;
-    options.space = "xyz";
+    options.space = emulsion::kXyzSpaceName;
     options.pixel_type = EMULSION_FLOAT;
     options.compression = "zip";
     options.renderer_version = nullptr;
     return options;
 }
 
-emulsion::ExrColor exr_color(std::string_view space) {
-    if (emulsion::name_key(space) == "xyz") return emulsion::ExrColor::xyz;
-    const emulsion::RgbSpace &wanted = emulsion::rgb_space(space), &rec709 = emulsion::rgb_space("Rec709");
-    if (xyz_from_rgb(wanted) == xyz_from_rgb(rec709)) return emulsion::ExrColor::rec709;
-    throw std::invalid_argument("EXR options: space is \"" + std::string(space) + "\", expected xyz or Rec709");
-}
-
-emulsion::ExrCompression exr_compression(std::string_view compression) {
-    if (compression == "none") return emulsion::ExrCompression::none;
-    if (compression == "zip") return emulsion::ExrCompression::zip;
-    throw std::invalid_argument("EXR options: compression is \"" + std::string(compression) +
-                                "\", expected none or zip");
-}
-
 /// The one place that knows the writer.
 emulsion::ExrWriteResult write(const emulsion::Film& film, const char* path, const emulsion_exr_options& given) {
     const emulsion_exr_options from = emulsion::capi::complete(given, default_exr_options(), "EXR options");
     emulsion::ExrOptions options;
-    options.color = exr_color(&dereference(from.space, "EXR options: space"));
-    options.compression = exr_compression(&dereference(from.compression, "EXR options: compression"));
+    options.space = &dereference(from.space, "EXR options: space");
+    options.compression = emulsion::parse_named<emulsion::ExrCompression>(
+        &dereference(from.compression, "EXR options: compression"), "compression");
     if (from.pixel_type != EMULSION_FLOAT && from.pixel_type != EMULSION_HALF) {
         throw std::invalid_argument("EXR options: pixel_type is " + std::to_string(from.pixel_type) +
                                     ", expected an emulsion_pixel_type");
@@ -78,9 +65,18 @@ emulsion::ExrWriteResult write(const emulsion::Film& film, const char* path, con
     emulsion::FilmMetadata metadata;
     metadata.samples_per_pixel = static_cast<std::int64_t>(film.min_samples_per_pixel());
     metadata.sample_count = film.sample_count();
-    metadata.dropped_sample_count = film.dropped().count();
+    const emulsion::DroppedSamples dropped = film.dropped();
+    metadata.dropped_nan_count = dropped.count(emulsion::DroppedKind::nan);
+    metadata.dropped_infinite_count = dropped.count(emulsion::DroppedKind::infinite);
+    metadata.dropped_negative_luminance_count = dropped.count(emulsion::DroppedKind::negative_luminance);
+    metadata.filter = to_text(film.options().filter);
     if (from.renderer_version != nullptr) metadata.renderer_version = from.renderer_version;
-    return write_exr(path, film.xyz_image(), metadata, options);
+    emulsion::FilmPicture picture;
+    picture.xyz = film.xyz_image();
+    picture.data_window = film.bounds();
+    picture.width_px = film.options().width_px;
+    picture.height_px = film.options().height_px;
+    return write_exr(path, picture, metadata, options);
 }
 
 }  // namespace
@@ -124,6 +120,8 @@ emulsion_status emulsion_film_write_exr(const emulsion_film* film, const char* p
         const emulsion::ExrWriteResult result = write(dereference(film, "film").film, &dereference(path, "path"),
                                                       options != nullptr ? *options : default_exr_options());
         if (lost_values == nullptr) return;
-        *lost_values = static_cast<std::uint64_t>(result.clamped_count + result.non_finite_count);
+        *lost_values =
+            static_cast<std::uint64_t>(result.too_high_count + result.too_low_count + result.vanished_positive_count +
+                                       result.vanished_negative_count + result.non_finite_count);
     });
 }

@@ -33,7 +33,7 @@ emulsion_status report_current_exception() noexcept {
         return report(EMULSION_OUT_OF_MEMORY, "out of memory");
     } catch (const std::length_error&) {  // of a vector that could never be allocated
         return report(EMULSION_OUT_OF_MEMORY, "out of memory");
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::logic_error& error) {  // std::invalid_argument, and calls that come too early
         return report(EMULSION_INVALID_ARGUMENT, error.what());
     } catch (const IoError& error) {
         return report(EMULSION_IO_ERROR, error.what());

@@ -1,6 +1,7 @@
 #include "film/sample_batch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +39,19 @@ void validate(const BatchPixels& pixels, const PixelBounds& bounds) {
         "sample batch: sample " + std::to_string(i) + " is at pixel (" + std::to_string(pixels.x_px[i]) + ", " +
         std::to_string(pixels.y_px[i]) + "), expected one inside [" + std::to_string(bounds.x0) + ", " +
         std::to_string(bounds.x1) + ") x [" + std::to_string(bounds.y0) + ", " + std::to_string(bounds.y1) + ")");
+}
+
+void validate(const BatchPlaces& places, const std::optional<PixelBounds>& bounds) {
+    require_length("y_px", places.y_px.size(), places.x_px.size());
+    for (std::size_t i = 0; i < places.x_px.size(); ++i) {
+        const auto x = static_cast<double>(places.x_px[i]), y = static_cast<double>(places.y_px[i]);
+        const bool is_good = bounds ? x >= bounds->x0 && x <= bounds->x1 && y >= bounds->y0 && y <= bounds->y1
+                                    : std::isfinite(x) && std::isfinite(y);
+        if (is_good) continue;
+        throw std::invalid_argument("sample batch: sample " + std::to_string(i) + " is at (" + std::to_string(x) +
+                                    ", " + std::to_string(y) + "), expected a place inside " +
+                                    (bounds ? to_string(*bounds) : "the plane"));
+    }
 }
 
 void validate(const BatchRadiance& radiance, std::size_t samples) {

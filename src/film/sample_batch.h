@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -26,6 +27,11 @@ struct BatchPixels {
     std::span<const float> weight;             ///< signed, as for BasicFilmTile::add; empty: 1 each
 };
 
+/// Where samples are that are spread by the film's filter, in pixels: pixel (x, y) covers [x, x + 1) x [y, y + 1).
+struct BatchPlaces {
+    std::span<const float> x_px, y_px;  ///< finite; of one length
+};
+
 /// What the samples carry: N wavelengths each, those of one sample side by side.
 struct BatchRadiance {
     std::size_t wavelengths = 4;        ///< N, in [1, kMostBatchWavelengths]
@@ -38,6 +44,10 @@ inline constexpr std::size_t kMostBatchWavelengths = 256;
 /// \throws std::invalid_argument unless the arrays have one length and all pixels lie in the bounds; names the first
 /// that does not.
 void validate(const BatchPixels& pixels, const PixelBounds& bounds);
+
+/// \throws std::invalid_argument unless the arrays have one length and all places are finite and, if there are bounds,
+/// inside them, the edges included; names the first that is not.
+void validate(const BatchPlaces& places, const std::optional<PixelBounds>& bounds);
 
 /// For so many samples.
 /// \throws std::invalid_argument naming the number of wavelengths, or an array that has another length.
@@ -71,6 +81,12 @@ void for_each_sample(const BatchPixels& pixels, const Add& add) {
     } else {
         for (std::size_t i = 0; i < count; ++i) add(i, x[i], y[i], weight[i]);
     }
+}
+
+/// Calls add(i, x_px, y_px) for every sample.
+template <class Add>
+void for_each_sample(const BatchPlaces& places, const Add& add) {
+    for (std::size_t i = 0; i < places.x_px.size(); ++i) add(i, places.x_px[i], places.y_px[i]);
 }
 
 template <int N>
@@ -161,7 +177,13 @@ void for_each_spectrum(const BatchRadiance& from, const ForEach& for_each, const
 
 }  // namespace detail
 
-/// Adds samples given as radiance. \throws std::invalid_argument as validate() does, with the tile as it was.
+/// A function that gives the XYZ of the i-th sample, in the film's units, as BasicFilmTile takes it; it must not throw.
+template <class F>
+concept BatchXyz = std::is_nothrow_invocable_r_v<XYZ, const F&, std::size_t>;
+
+// All of these throw std::invalid_argument as validate() does, with the tile as it was.
+
+/// As BasicFilmTile::add.
 template <class Sums>
 void add_batch(BasicFilmTile<Sums>& tile, const BatchPixels& pixels, const BatchRadiance& radiance) {
     validate(pixels, tile.bounds());
@@ -172,15 +194,45 @@ void add_batch(BasicFilmTile<Sums>& tile, const BatchPixels& pixels, const Batch
             tile.add(x, y, wavelengths, values, weight);
         });
 }
-
-/// Adds samples given as XYZ: xyz_of(i) is that of the i-th, in the film's units, as for BasicFilmTile::add. It must
-/// not throw. \throws std::invalid_argument as validate() does, with the tile as it was.
-template <class Sums, class XyzOf>
-requires std::is_invocable_r_v<XYZ, const XyzOf&, std::size_t>
+template <class Sums, BatchXyz XyzOf>
 void add_batch(BasicFilmTile<Sums>& tile, const BatchPixels& pixels, const XyzOf& xyz_of) {
     validate(pixels, tile.bounds());
     detail::for_each_sample(pixels,
                             [&](std::size_t i, int x, int y, float weight) { tile.add(x, y, xyz_of(i), weight); });
+}
+
+/// As BasicFilmTile::add_at.
+template <class Sums>
+void add_batch_at(BasicFilmTile<Sums>& tile, const BatchPlaces& places, const BatchRadiance& radiance) {
+    validate(places, tile.places());
+    validate(radiance, places.x_px.size());
+    detail::for_each_spectrum(
+        radiance, [&](const auto& visit) { detail::for_each_sample(places, visit); },
+        [&tile](const auto& wavelengths, const auto& values, float x_px, float y_px) {
+            tile.add_at(x_px, y_px, wavelengths, values);
+        });
+}
+template <class Sums, BatchXyz XyzOf>
+void add_batch_at(BasicFilmTile<Sums>& tile, const BatchPlaces& places, const XyzOf& xyz_of) {
+    validate(places, tile.places());
+    detail::for_each_sample(places, [&](std::size_t i, float x_px, float y_px) { tile.add_at(x_px, y_px, xyz_of(i)); });
+}
+
+/// As BasicFilmTile::splat.
+template <class Sums>
+void splat_batch(BasicFilmTile<Sums>& tile, const BatchPlaces& places, const BatchRadiance& radiance) {
+    validate(places, std::nullopt);
+    validate(radiance, places.x_px.size());
+    detail::for_each_spectrum(
+        radiance, [&](const auto& visit) { detail::for_each_sample(places, visit); },
+        [&tile](const auto& wavelengths, const auto& values, float x_px, float y_px) {
+            tile.splat(x_px, y_px, wavelengths, values);
+        });
+}
+template <class Sums, BatchXyz XyzOf>
+void splat_batch(BasicFilmTile<Sums>& tile, const BatchPlaces& places, const XyzOf& xyz_of) {
+    validate(places, std::nullopt);
+    detail::for_each_sample(places, [&](std::size_t i, float x_px, float y_px) { tile.splat(x_px, y_px, xyz_of(i)); });
 }
 
 }  // namespace emulsion

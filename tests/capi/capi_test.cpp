@@ -20,6 +20,7 @@
 #include "core/random.h"
 #include "film/exr_file.h"
 #include "film/film.h"
+#include "film/rgb_input.h"
 #include "spectrum/rgb_space.h"
 #include "spectrum/sampled_spectrum.h"
 #include "support/temporary_folder.h"
@@ -188,13 +189,10 @@ TEST(Capi, RgbSamplesAreXyzTimesTheImagingRatio) {
     const Samples samples(1);
     Film film(cpp_options());
     FilmTile tile = film.make_tile(kTile);
-    const Matrix3 matrix = xyz_from_rgb(rgb_space("Rec2020"));
+    const RgbInput input(rgb_space("Rec2020"), 0.5);
     for (std::size_t i = 0; i < kCount; ++i) {
-        std::array<double, 3> rgb{};
-        for (std::size_t k = 0; k < 3; ++k) rgb[k] = 0.5 * static_cast<double>(samples.triples[3 * i + k]);
-        const std::array<double, 3> xyz = matrix * rgb;
-        tile.add(samples.x[i], samples.y[i],
-                 XYZ{static_cast<float>(xyz[0]), static_cast<float>(xyz[1]), static_cast<float>(xyz[2])}, 1.0f);
+        const float* rgb = &samples.triples[3 * i];
+        tile.add(samples.x[i], samples.y[i], input.to_xyz({rgb[0], rgb[1], rgb[2]}), 1.0f);
     }
     film.merge(tile);
 
