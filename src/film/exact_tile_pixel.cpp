@@ -9,55 +9,97 @@ namespace emulsion {
 namespace {
 
 /// Beyond are sums that have left every range; they are kept well within, so that quick terms don't bring them back.
+/// For weights that is from 2^32 on, twice the most samples of a tile's pixel.
 constexpr std::int64_t kEnd = std::int64_t{1} << 62;
 constexpr std::int64_t kSaturated = kEnd + kEnd / 2;
 
 bool is_saturated(std::int64_t high) noexcept { return high >= kEnd || high <= -kEnd; }
 
+std::int64_t saturated(double sign) noexcept { return sign < 0.0 ? -kSaturated : kSaturated; }
+
 }  // namespace
 
-template <class Visit>
-void ExactTilePixel::for_each_channel(const Visit& visit) noexcept {
-    const auto visit_one = [&](Ints& highs, Ints& lows, int place, std::size_t channel, auto sum) {
-        std::int64_t high = highs[place], low = lows[place];
-        visit(high, low, channel, sum);
-        highs[place] = high;
-        lows[place] = low;
+struct ExactTilePixel::Plain {
+    static constexpr int kShift = ExactSum::kFractionBits - kHighFractionBits;
+    static constexpr std::int64_t kLowMask = (std::int64_t{1} << kShift) - 1;
+
+    std::array<std::int64_t, 3> high{}, low{};
+    std::int64_t weight = 0;
+
+    void carry() noexcept {
+        for (std::size_t i = 0; i < 3; ++i) {
+            high[i] = is_saturated(high[i]) ? saturated(static_cast<double>(high[i])) : high[i] + (low[i] >> kShift);
+            low[i] = is_saturated(high[i]) ? 0 : low[i] & kLowMask;
+        }
+        if (is_saturated(weight)) weight = saturated(static_cast<double>(weight));
+    }
+
+    void add_xyz(std::size_t i, double term) noexcept {
+        if (is_saturated(high[i])) return;
+        if (std::abs(term) >= ExactSum::kLimit) {
+            high[i] = saturated(term);
+            return;
+        }
+        const auto units = static_cast<Int128>(std::nearbyint(std::ldexp(term, ExactSum::kFractionBits)));
+        high[i] += static_cast<std::int64_t>(units >> kShift);
+        low[i] += static_cast<std::int64_t>(units) & kLowMask;
+    }
+
+    void add_weight(double term) noexcept {
+        if (is_saturated(weight)) return;
+        const double units = std::nearbyint(std::ldexp(term, ExactWeightSum::kFractionBits));
+        const double sum = static_cast<double>(weight) + units;
+        weight = std::abs(sum) < static_cast<double>(kEnd) ? weight + static_cast<std::int64_t>(units) : saturated(sum);
+    }
+};
+
+ExactTilePixel::Plain ExactTilePixel::plain() const noexcept {
+    const std::uint64_t count = low_zc_[1] & ((std::uint64_t{1} << 52) - 1);
+    const auto number = [&](std::uint64_t sum, double constant) {
+        return static_cast<std::int64_t>(sum - count * std::bit_cast<std::uint64_t>(constant));
     };
-    visit_one(high_xy_, low_xy_, 0, 0, ExactSum{});
-    visit_one(high_xy_, low_xy_, 1, 1, ExactSum{});
-    visit_one(high_zw_, low_zw_, 0, 2, ExactSum{});
-    visit_one(high_zw_, low_zw_, 1, 3, ExactWeightSum{});
+    return {{number(high_xy_[0], kTop), number(high_xy_[1], kTop), number(high_zw_[0], kTop)},
+            {number(low_xy_[0], kRest), number(low_xy_[1], kRest), number(low_zc_[0], kRest)},
+            number(high_zw_[1], kWeightTop)};
+}
+
+void ExactTilePixel::store(const Plain& plain) noexcept {
+    const auto word = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
+    high_xy_ = Uint2{word(plain.high[0]), word(plain.high[1])};
+    high_zw_ = Uint2{word(plain.high[2]), word(plain.weight)};
+    low_xy_ = Uint2{word(plain.low[0]), word(plain.low[1])};
+    low_zc_ = Uint2{word(plain.low[2]), 0};
 }
 
 void ExactTilePixel::carry() noexcept {
-    for_each_channel([]<class Sum>(std::int64_t& high, std::int64_t& low, std::size_t, const Sum&) {
-        if (is_saturated(high)) {
-            high = high < 0 ? -kSaturated : kSaturated;
-            low = 0;
-            return;
-        }
-        constexpr int kShift = Sum::kFractionBits - kHighFractionBits;
-        high += low >> kShift;
-        low &= (std::int64_t{1} << kShift) - 1;
-    });
+    Plain sums = plain();
+    sums.carry();
+    store(sums);
 }
 
 bool ExactTilePixel::add_large(const std::array<double, 4>& terms) noexcept {
     if (!std::all_of(terms.begin(), terms.end(), [](double term) { return std::isfinite(term); })) return false;
-    for_each_channel([&]<class Sum>(std::int64_t& high, std::int64_t& low, std::size_t channel, const Sum&) {
-        if (is_saturated(high)) return;
-        const double term = terms[channel];
-        if (std::abs(term) >= Sum::kLimit) {
-            high = term < 0.0 ? -kSaturated : kSaturated;
-            return;
-        }
-        constexpr int kShift = Sum::kFractionBits - kHighFractionBits;
-        const auto units = static_cast<Int128>(std::nearbyint(std::ldexp(term, Sum::kFractionBits)));
-        high += static_cast<std::int64_t>(units >> kShift);
-        low += static_cast<std::int64_t>(units & ((Int128{1} << kShift) - 1));
-    });
+    Plain sums = plain();
+    for (std::size_t i = 0; i < 3; ++i) sums.add_xyz(i, terms[i]);
+    sums.add_weight(terms[3]);
+    store(sums);
     return true;
+}
+
+Int128 ExactTilePixel::xyz_units(std::size_t channel) const noexcept {
+    const Plain sums = plain();
+    return (static_cast<Int128>(sums.high[channel]) << Plain::kShift) + sums.low[channel];
+}
+
+Int128 ExactTilePixel::weight_units() const noexcept {
+    const std::int64_t weight = plain().weight;
+    // What is saturated here has to be so anywhere.
+    return is_saturated(weight) ? Int128{weight} << 2 : Int128{weight};
+}
+
+WeightedSums ExactTilePixel::sums() const noexcept {
+    const auto value = [](Int128 units) { return ExactSum::from_units(units).value(); };
+    return {{value(x_units()), value(y_units()), value(z_units())}, ExactWeightSum::from_units(weight_units()).value()};
 }
 
 }  // namespace emulsion

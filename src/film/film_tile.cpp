@@ -62,11 +62,8 @@ BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const Fil
       sample_counts_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
     if (!setup_->footprint) return;
-    const auto most = [&](FilterAxis axis, int size) {
-        return std::min(setup_->footprint->most_pixels(axis), static_cast<std::size_t>(std::max(size, 0)));
-    };
-    x_weights_.resize(most(FilterAxis::x, bounds_.width()));
-    y_weights_.resize(most(FilterAxis::y, bounds_.height()));
+    x_weights_.resize(setup_->footprint->room(FilterAxis::x));
+    y_weights_.resize(setup_->footprint->room(FilterAxis::y));
 }
 
 template <class Sums>
@@ -144,21 +141,28 @@ void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample,
 
 template <class Sums>
 template <class Visit>
-std::uint64_t BasicFilmTile<Sums>::for_each_reached(float x_px, float y_px, const Visit& visit) noexcept {
+void BasicFilmTile<Sums>::for_each_row_reached(float x_px, float y_px, const Visit& visit) noexcept {
     const FilterFootprint& footprint = *setup_->footprint;
-    const FilterFootprint::Reach xs = footprint.reach(FilterAxis::x, x_px, bounds_.x0, bounds_.x1);
-    const FilterFootprint::Reach ys = footprint.reach(FilterAxis::y, y_px, bounds_.y0, bounds_.y1);
-    if (xs.begin >= xs.end || ys.begin >= ys.end) return 0;
-    footprint.weights(FilterAxis::x, x_px, xs, x_weights_);
-    footprint.weights(FilterAxis::y, y_px, ys, y_weights_);
-    for (int y = ys.begin; y < ys.end; ++y) {
-        const float y_weight = y_weights_[static_cast<std::size_t>(y - ys.begin)];
-        std::size_t i = index(xs.begin, y);
-        for (int x = xs.begin; x < xs.end; ++x, ++i) {
-            visit(i, y_weight * x_weights_[static_cast<std::size_t>(x - xs.begin)]);
-        }
+    const FilterFootprint::Reach all_x = footprint.reach(FilterAxis::x, x_px);
+    const FilterFootprint::Reach all_y = footprint.reach(FilterAxis::y, y_px);
+    const int x0 = std::max(all_x.begin, bounds_.x0), x1 = std::min(all_x.end, bounds_.x1);
+    const int y0 = std::max(all_y.begin, bounds_.y0), y1 = std::min(all_y.end, bounds_.y1);
+    if (x0 >= x1 || y0 >= y1) return;
+    const float* const x_weights = footprint.weights(FilterAxis::x, x_px, all_x, x_weights_.data());
+    const float* const y_weights = footprint.weights(FilterAxis::y, y_px, all_y, y_weights_.data());
+    const std::span<const float> row(x_weights + (x0 - all_x.begin), static_cast<std::size_t>(x1 - x0));
+    std::size_t first = index(x0, y0);
+    for (int y = y0; y < y1; ++y, first += static_cast<std::size_t>(width_)) {
+        visit(first, row, y_weights[y - all_y.begin]);
     }
-    return static_cast<std::uint64_t>(xs.end - xs.begin) * static_cast<std::uint64_t>(ys.end - ys.begin);
+}
+
+template <class Sums>
+template <class Visit>
+void BasicFilmTile<Sums>::for_each_reached(float x_px, float y_px, const Visit& visit) noexcept {
+    for_each_row_reached(x_px, y_px, [&](std::size_t first, std::span<const float> x_weights, float y_weight) {
+        for (std::size_t k = 0; k < x_weights.size(); ++k) visit(first + k, x_weights[k] * y_weight);
+    });
 }
 
 template <class Sums>
@@ -182,15 +186,22 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     }
     const XYZ value = share * sample.xyz;
     const auto x = static_cast<double>(value.x), y = static_cast<double>(value.y), z = static_cast<double>(value.z);
-    spread_touches_ += for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
-        pixels_[i].add(x, y, z, static_cast<double>(weight));
-        count(i);
-        if (has_channels_) [[unlikely]]
-            add_channels(i, value, weight);
-        if (has_buckets_ && !spectral.lambda_nm.empty()) [[unlikely]]
-            add_buckets(i, sample, spectral, weight);
+    for_each_row_reached(x_px, y_px, [&](std::size_t first, std::span<const float> x_weights, float y_weight) {
+        Pixel* pixel = pixels_.data() + first;
+        std::uint32_t* count = sample_counts_.data() + first;
+        for (const float x_weight : x_weights) {
+            (pixel++)->add(x, y, z, static_cast<double>(x_weight * y_weight));
+            ++*count++;
+        }
+        spread_touches_ += x_weights.size();
     });
-    ++spread_samples_;
+    if (has_channels_ || has_buckets_) [[unlikely]] {
+        for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+            if (has_channels_) add_channels(i, value, weight);
+            if (has_buckets_) add_buckets(i, sample, spectral, weight);
+        });
+    }
+    carry_all_in_time();
 }
 
 template <class Sums>
@@ -260,6 +271,13 @@ template <class Sums>
 void BasicFilmTile<Sums>::carry(std::size_t i) noexcept {
     if constexpr (requires(Pixel & pixel) { pixel.carry(); }) pixels_[i].carry();
     sample_counts_[i] = std::min(sample_counts_[i], kMostSamples);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
+    if (++spread_samples_ % kCountsPerCarry != 0) [[likely]]
+        return;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) carry(i);
 }
 
 template <class Sums>
