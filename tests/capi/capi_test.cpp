@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -203,6 +204,107 @@ TEST(Capi, RgbSamplesAreXyzTimesTheImagingRatio) {
               EMULSION_OK);
     ASSERT_EQ(emulsion_film_merge_tile(got.get(), got_tile.get()), EMULSION_OK);
     expect_same(got, film);
+}
+
+TEST(Capi, PlacesAndLightSplatsAreThoseOfCpp) {
+    FilmOptions options = cpp_options();
+    options.crop = PixelBounds{1, 2, 8, 6};
+    options.filter = MitchellFilter{};
+    options.filter_use = FilterUse::splatted;
+    options.light_splats = true;
+    Film film(options);
+
+    emulsion_film_options c_options;
+    ASSERT_EQ(emulsion_film_options_init(&c_options, sizeof c_options), EMULSION_OK);
+    c_options.width_px = kWidth_px;
+    c_options.height_px = kHeight_px;
+    c_options.exposure_time_s = 0.125;
+    c_options.iso = 400.0;
+    c_options.crop = {1, 2, 8, 6};
+    c_options.filter = "mitchell";
+    c_options.filter_use = EMULSION_SPLATTED;
+    c_options.light_splats = 1;
+    emulsion_film* got_film = nullptr;
+    emulsion_tile* got_tile = nullptr;
+    ASSERT_EQ(emulsion_film_create(&c_options, &got_film), EMULSION_OK) << emulsion_last_error();
+    const FilmHandle got(got_film, emulsion_film_destroy);
+    const PixelBounds places = film.sample_bounds();
+    ASSERT_EQ(emulsion_tile_create(got_film, {places.x0, places.y0, places.x1, places.y1}, &got_tile), EMULSION_OK);
+    const TileHandle tile_handle(got_tile, emulsion_tile_destroy);
+
+    const Samples samples(4);
+    std::vector<float> x, y;
+    for (std::size_t i = 0; i < kCount; ++i) {
+        x.push_back(static_cast<float>(samples.x[i]) + 0.5f * samples.triples[3 * i]);
+        y.push_back(static_cast<float>(samples.y[i]) + 0.5f * samples.triples[3 * i + 1]);
+    }
+    FilmTile tile = film.make_tile(places);
+    const RgbInput input(rgb_space("Rec2020"), 0.5);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        SampledWavelengths<4> wavelengths;
+        SampledSpectrum<4> radiance;
+        for (std::size_t k = 0; k < 4; ++k) {
+            wavelengths.lambda_nm[k] = samples.lambda_nm[4 * i + k];
+            wavelengths.pdf[k] = samples.pdf[4 * i + k];
+            radiance.value[k] = samples.radiance[4 * i + k];
+        }
+        const float* triple = &samples.triples[3 * i];
+        tile.add_at(x[i], y[i], wavelengths, radiance);
+        tile.add_at(x[i], y[i], XYZ{triple[0], triple[1], triple[2]});
+        tile.add_at(x[i], y[i], input.to_xyz({triple[0], triple[1], triple[2]}));
+        tile.splat(x[i], y[i], wavelengths, radiance);
+        tile.splat(x[i], y[i], XYZ{triple[0], triple[1], triple[2]});
+    }
+    film.merge(tile);
+    film.add_light_paths(700);
+
+    const float *triples = samples.triples.data(), *lambda_nm = samples.lambda_nm.data(),
+                *values = samples.radiance.data(), *pdf = samples.pdf.data();
+    const auto expect_ok = [](emulsion_status status) { EXPECT_EQ(status, EMULSION_OK) << emulsion_last_error(); };
+    expect_ok(emulsion_tile_add_at_spectral(got_tile, kCount, x.data(), y.data(), 4, lambda_nm, values, pdf));
+    expect_ok(emulsion_tile_add_at_xyz(got_tile, kCount, x.data(), y.data(), triples));
+    expect_ok(emulsion_tile_add_at_rgb(got_tile, kCount, x.data(), y.data(), "Rec2020", triples));
+    expect_ok(emulsion_tile_splat_spectral(got_tile, kCount, x.data(), y.data(), 4, lambda_nm, values, pdf));
+    expect_ok(emulsion_tile_splat_xyz(got_tile, kCount, x.data(), y.data(), triples));
+    expect_ok(emulsion_film_merge_tile(got_film, got_tile));
+    expect_ok(emulsion_film_add_light_paths(got_film, 700));
+
+    std::vector<float> xyz(std::size_t{3} * 7 * 4);
+    ASSERT_EQ(emulsion_film_read_xyz(got_film, xyz.data(), xyz.size()), EMULSION_OK) << emulsion_last_error();
+    const Image<XYZ> image = film.xyz_image();
+    std::size_t i = 0;
+    for (const XYZ& pixel : image.pixels()) {
+        ASSERT_EQ(pixel, (XYZ{xyz[i], xyz[i + 1], xyz[i + 2]})) << "pixel " << i / 3;
+        i += 3;
+    }
+    EXPECT_GT(image(3, 2).y, 0.0f);
+
+    const TemporaryFolder folder;
+    ASSERT_EQ(emulsion_film_write_exr(got_film, folder.file("crop.exr").c_str(), nullptr, nullptr), EMULSION_OK);
+    EXPECT_EQ(read_exr(folder.file("crop.exr")).data_window, (PixelBounds{1, 2, 8, 6}));
+}
+
+/// A wavelength that nobody sees counts as one that carries nothing.
+TEST(Capi, InvisibleWavelengthsCarryNothing) {
+    const std::array<float, 4> lambda_nm = {300.0f, 550.0f, 900.0f, 1e30f}, radiance = {9.0f, 2.0f, 9.0f, 9.0f};
+    const std::array<float, 4> pdf = {0.01f, 0.01f, 0.01f, 0.01f}, seen = {0.0f, 2.0f, 0.0f, 0.0f};
+    const std::array<float, 4> visible = {400.0f, 550.0f, 400.0f, 400.0f};
+    const std::int32_t x = kTile.x0, y = kTile.y0;
+    std::vector<std::vector<float>> pictures;
+    for (const auto& [wavelengths, values] : {std::pair{lambda_nm, radiance}, std::pair{visible, seen}}) {
+        const FilmHandle film = c_film();
+        const TileHandle tile = c_tile(film);
+        for (const std::size_t count : {2u, 3u, 4u}) {
+            ASSERT_EQ(emulsion_tile_add_spectral(tile.get(), 1, &x, &y, nullptr, count, wavelengths.data(),
+                                                 values.data(), pdf.data()),
+                      EMULSION_OK);
+        }
+        ASSERT_EQ(emulsion_film_merge_tile(film.get(), tile.get()), EMULSION_OK);
+        std::vector<float>& xyz = pictures.emplace_back(std::size_t{3} * kWidth_px * kHeight_px);
+        ASSERT_EQ(emulsion_film_read_xyz(film.get(), xyz.data(), xyz.size()), EMULSION_OK);
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_GT(pictures[0][std::size_t{3} * (kTile.y0 * kWidth_px + kTile.x0) + 1], 0.0f);
 }
 
 TEST(Capi, ThreadsHaveTilesOfTheirOwn) {
