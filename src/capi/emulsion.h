@@ -119,7 +119,8 @@ enum { EMULSION_MAX_WAVELENGTHS = 256 };
 
 /* Radiance at `wavelengths` wavelengths a sample, 1 to EMULSION_MAX_WAVELENGTHS; quickest for 1, 2, 4, 8, 16 and 32.
  * lambda_nm, radiance and pdf_per_nm have count * wavelengths numbers, those of one sample side by side. Wavelengths
- * outside [360, 830] carry nothing; pdf_per_nm is the density with which each was drawn, > 0. */
+ * outside [360, 830] carry nothing; pdf_per_nm is the density with which each was drawn, 0 for one that the path has
+ * given up. */
 emulsion_status emulsion_tile_add_spectral(emulsion_tile* tile, size_t count, const int32_t* x_px, const int32_t* y_px,
                                            const float* weight, size_t wavelengths, const float* lambda_nm,
                                            const float* radiance, const float* pdf_per_nm);

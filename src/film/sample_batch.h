@@ -15,7 +15,6 @@
 
 #include "core/color.h"
 #include "core/image.h"
-#include "core/units.h"
 #include "film/film_tile.h"
 #include "spectrum/sampled_spectrum.h"
 
@@ -35,9 +34,9 @@ struct BatchPlaces {
 /// What the samples carry: N wavelengths each, those of one sample side by side.
 struct BatchRadiance {
     std::size_t wavelengths = 4;        ///< N, in [1, kMostBatchWavelengths]
-    std::span<const float> lambda_nm;   ///< carry nothing outside [kMinWavelength_nm, kMaxWavelength_nm]
+    std::span<const float> lambda_nm;   ///< finite
     std::span<const float> radiance;    ///< W m^-2 sr^-1 nm^-1
-    std::span<const float> pdf_per_nm;  ///< density each was drawn with; > 0
+    std::span<const float> pdf_per_nm;  ///< density each was drawn with; 0: given up, carries nothing
 };
 inline constexpr std::size_t kMostBatchWavelengths = 256;
 
@@ -95,33 +94,6 @@ struct BatchSpectrum {
     SampledSpectrum<N> radiance;
 };
 
-/// Whether wavelengths of a sample lie outside the sensor's tables. NaN does not.
-template <int N>
-bool has_invisible(const SampledWavelengths<N>& wavelengths) noexcept {
-    // Four numbers in one vector register; a compiler's own vectorisation takes three times the time here.
-    using Float4 [[gnu::vector_size(16)]] = float;
-    using Two [[gnu::vector_size(16)]] = std::int64_t;
-    constexpr float kMin_nm = kMinWavelength_nm, kMax_nm = kMaxWavelength_nm;
-    Two found = {0, 0};
-    for (std::size_t first = 0; first < N; first += 4) {
-        Float4 lambda_nm = {kMin_nm, kMin_nm, kMin_nm, kMin_nm};
-        std::memcpy(&lambda_nm, &wavelengths.lambda_nm[first], sizeof(float) * std::min(N, 4));
-        found |= reinterpret_cast<Two>((lambda_nm < kMin_nm) | (lambda_nm > kMax_nm));
-    }
-    return (found[0] | found[1]) != 0;
-}
-
-/// Those become 0 nm without radiance: seen by nobody, and in no bucket of a spectral film.
-template <int N>
-BatchSpectrum<N> without_invisible(BatchSpectrum<N> sample) noexcept {
-    for (std::size_t k = 0; k < N; ++k) {
-        const float lambda_nm = sample.wavelengths.lambda_nm[k];
-        if (!(lambda_nm < float{kMinWavelength_nm} || lambda_nm > float{kMaxWavelength_nm})) continue;
-        sample.wavelengths.lambda_nm[k] = sample.radiance.value[k] = 0.0f;
-    }
-    return sample;
-}
-
 /// The i-th sample, of N wavelengths.
 template <int N>
 BatchSpectrum<N> read_sample(const BatchRadiance& from, std::size_t i) noexcept {
@@ -133,25 +105,17 @@ BatchSpectrum<N> read_sample(const BatchRadiance& from, std::size_t i) noexcept 
 }
 
 /// The i-th sample, of fewer than N wavelengths, as one of N: the sensor divides by N, and by densities that are as
-/// much smaller. The wavelengths that it does not have carry nothing, and lie in no bucket of a spectral film.
+/// much smaller. A density of 0 says of the others that they are not there.
 template <int N>
 BatchSpectrum<N> read_shorter_sample(const BatchRadiance& from, std::size_t i) noexcept {
     BatchSpectrum<N> sample;
-    const std::size_t first = i * from.wavelengths;
-    const float share = static_cast<float>(from.wavelengths) / static_cast<float>(N);
-    for (std::size_t k = 0; k < N; ++k) {
-        const bool is_there = k < from.wavelengths;
-        sample.wavelengths.lambda_nm[k] = is_there ? from.lambda_nm[first + k] : 0.0f;
-        sample.wavelengths.pdf[k] = is_there ? share * from.pdf_per_nm[first + k] : 1.0f;
-        sample.radiance.value[k] = is_there ? from.radiance[first + k] : 0.0f;
-    }
+    const std::size_t count = from.wavelengths, first = i * count;
+    std::copy_n(&from.lambda_nm[first], count, sample.wavelengths.lambda_nm.begin());
+    std::copy_n(&from.radiance[first], count, sample.radiance.value.begin());
+    const float share = static_cast<float>(count) / static_cast<float>(N);
+    std::transform(&from.pdf_per_nm[first], &from.pdf_per_nm[first] + count, sample.wavelengths.pdf.begin(),
+                   [share](float pdf) { return share * pdf; });
     return sample;
-}
-
-template <int N, class Add, class... Where>
-[[gnu::noinline]] void add_visible(const BatchSpectrum<N>& sample, const Add& add, Where... where) {
-    const BatchSpectrum<N> visible = without_invisible(sample);
-    add(visible.wavelengths, visible.radiance, where...);
 }
 
 /// Calls add(wavelengths, radiance, where...) for every i and where... that for_each calls its argument with: spectra
@@ -162,8 +126,6 @@ void for_each_spectrum(const BatchRadiance& from, const ForEach& for_each, const
         const auto visit_with = [&](const auto& read) {
             for_each([read, add, from](std::size_t i, auto... where) {
                 const BatchSpectrum<N> sample = read(from, i);
-                if (has_invisible(sample.wavelengths)) [[unlikely]]
-                    return add_visible(sample, add, where...);
                 add(sample.wavelengths, sample.radiance, where...);
             });
         };
