@@ -23,6 +23,7 @@
 #include "cli/progress_display.h"
 #include "cli/stop_signals.h"
 #include "core/atomic_file.h"
+#include "core/named_value.h"
 #include "film/exr_file.h"
 #include "film/film.h"
 #include "pathtracer/prepared_scene.h"
@@ -95,7 +96,8 @@ double elapsed_s(std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
-FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const std::string& command_line) {
+FilmMetadata metadata_of(const Film& film, const std::string& filter, const RenderOptions& options,
+                         const std::string& command_line) {
     FilmMetadata metadata;
     metadata.samples_per_pixel = static_cast<std::int64_t>(film.min_samples_per_pixel());
     metadata.sample_count = film.sample_count();
@@ -106,6 +108,7 @@ FilmMetadata metadata_of(const Film& film, const RenderOptions& options, const s
     metadata.seed = options.seed;
     metadata.renderer_version = "emulsion " EMULSION_VERSION;
     metadata.command_line = command_line;
+    metadata.filter = filter;
     return metadata;
 }
 
@@ -151,7 +154,7 @@ RenderCommand::RenderCommand(CLI::App& program)
     CLI::Option* exr_option =
         command_
             ->add_option("-o,--output", options.exr,
-                         "Scene-referred EXR: X Y Z, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
+                         "Scene-referred EXR, Y in cd/m^2 [default: the scene's film name, ending in .exr]")
             ->option_text("FILE");
     exr_option->check(ends_in_exr);
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
@@ -237,6 +240,7 @@ int RenderCommand::run(const std::string& command_line) const {
     // Until the last file is written, Ctrl-C leaves no half of it behind.
     Film film(film_options(scene));
     exr_options.white_luminance_cdm2 = white_luminance_cdm2(film.options().sensor);
+    const std::string filter = to_text(scene.filter);
     const PreparedScene prepared(std::move(scene), options.threads);
     RenderProgress progress;
     const StopSignals stop_signals(progress.stop);
@@ -248,7 +252,7 @@ int RenderCommand::run(const std::string& command_line) const {
     // The PNG is made from what the EXR holds, so that `develop` makes the same one.
     const Image<XYZ> picture = film.xyz_image();
     const ExrWriteResult written =
-        write_exr(exr, picture, metadata_of(film, render_options, command_line), exr_options);
+        write_exr(exr, picture, metadata_of(film, filter, render_options, command_line), exr_options);
     for (const std::string& loss : exr_losses(written, exr_options.pixel_type)) {
         print_warning(exr.string() + ": " + loss);
     }

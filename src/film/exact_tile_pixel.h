@@ -12,7 +12,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
+#include "core/color.h"
 #include "film/exact_sum.h"
 #include "film/vectors.h"
 #include "film/weighted_sums.h"
@@ -22,7 +24,7 @@ namespace emulsion {
 class ExactTilePixel {
   public:
     /// So many calls of add() may come between two of carry().
-    static constexpr std::uint32_t kAddsPerCarry = 1u << 28;
+    static constexpr std::uint32_t kAddsPerCarry = 1u << 24;
 
     /// Adds weight * XYZ and the weight, each rounded once, to the nearest multiple of ExactSum's and ExactWeightSum's
     /// resolution; the sums are exact. If a number is NaN or infinite it does nothing and returns false.
@@ -37,6 +39,10 @@ class ExactTilePixel {
         low_zc_ += bits((kTopZw + kRestZc - top_zw) + zw);
         return true;
     }
+
+    /// add(x, y, z, x_weights[k] * y_weight) to pixel k of a row, for all weights; XYZ and weights must be finite.
+    static void add_row(ExactTilePixel* row, std::span<const float> x_weights, float y_weight,
+                        const XYZd& xyz) noexcept;
 
     /// Moves what the low parts have gathered into the high ones; the sums stay what they are.
     void carry() noexcept;
@@ -61,10 +67,10 @@ class ExactTilePixel {
     static constexpr Double2 kTopXy = {kTop, kTop}, kTopZw = {kTop, kWeightTop};
     static constexpr Double2 kRestXy = {kRest, kRest}, kRestZc = {kRest, kOne};
 
-    // Larger terms are added one by one. In kAddsPerCarry quick terms, of up to 2^33 units of the high part each, those
-    // add up to no more than 2^61 units, and the low parts, of up to 2^34 units each, to no more than 2^62: neither
-    // leaves 64 bits, from a high part of up to 2^62 + 2^61 and a low one of up to 2^35.
-    static constexpr int kQuickUnitsBits = 33;
+    // Larger terms, from 2^27 and weights from 64 on, are added one by one. In kAddsPerCarry quick terms, of up to 2^36
+    // units of the high part each, those add up to no more than 2^60 units, and the low parts, of up to 2^34 units
+    // each, to no more than 2^58: neither leaves 64 bits, from a high part of up to 2^62 + 2^61 and a low one of 2^35.
+    static constexpr int kQuickUnitsBits = 36;
 
     [[nodiscard]] static Uint2 bits(Double2 numbers) noexcept { return std::bit_cast<Uint2>(numbers); }
 
@@ -87,6 +93,10 @@ class ExactTilePixel {
     [[nodiscard]] Plain plain() const noexcept;
     void store(const Plain& plain) noexcept;
     [[nodiscard]] Int128 xyz_units(std::size_t channel) const noexcept;
+
+    /// add_row() on processors with AVX2: X, Y, Z and the weight in one register. The same bits.
+    static void add_row_avx2(ExactTilePixel* row, std::span<const float> x_weights, float y_weight,
+                             const XYZd& xyz) noexcept;
 
     /// The same as add() for terms of any size.
     bool add_large(const std::array<double, 4>& terms) noexcept;

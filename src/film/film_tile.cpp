@@ -42,6 +42,14 @@ bool all_finite(const XYZ& value, float weight) noexcept {
 
 double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
 
+void add_row(ExactTilePixel* row, std::span<const float> x_weights, float y_weight, const XYZd& xyz) noexcept {
+    ExactTilePixel::add_row(row, x_weights, y_weight, xyz);
+}
+template <class Pixel>
+void add_row(Pixel* row, std::span<const float> x_weights, float y_weight, const XYZd& xyz) noexcept {
+    for (const float x_weight : x_weights) (row++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+}
+
 void add_to(ExactSum& sum, double term) noexcept { sum += ExactSum(term); }
 
 }  // namespace
@@ -185,14 +193,11 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
         add_to(clamped_.removed_luminance, static_cast<double>(sample.luminance - share * sample.luminance));
     }
     const XYZ value = share * sample.xyz;
-    const auto x = static_cast<double>(value.x), y = static_cast<double>(value.y), z = static_cast<double>(value.z);
+    const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
     for_each_row_reached(x_px, y_px, [&](std::size_t first, std::span<const float> x_weights, float y_weight) {
-        Pixel* pixel = pixels_.data() + first;
+        add_row(pixels_.data() + first, x_weights, y_weight, exact_value);
         std::uint32_t* count = sample_counts_.data() + first;
-        for (const float x_weight : x_weights) {
-            (pixel++)->add(x, y, z, static_cast<double>(x_weight * y_weight));
-            ++*count++;
-        }
+        for (std::size_t k = 0; k < x_weights.size(); ++k) ++*count++;
         spread_touches_ += x_weights.size();
     });
     if (has_channels_ || has_buckets_) [[unlikely]] {
@@ -281,7 +286,7 @@ void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
 }
 
 template <class Sums>
-void BasicFilmTile<Sums>::drop(int x, int y, XYZ value, float weight) noexcept {
+void BasicFilmTile<Sums>::drop(int x, int y, const XYZ& value, float weight) noexcept {
     DroppedKind kind = DroppedKind::negative_luminance;
     const std::array<float, 4> numbers = {value.x, value.y, value.z, weight};
     if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {

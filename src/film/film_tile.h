@@ -154,9 +154,9 @@ class BasicFilmTile {
     void carry(std::size_t i) noexcept;
     /// The same for all pixels, once in so many splatted samples.
     void carry_all_in_time() noexcept;
-    void drop(int x, int y, XYZ value, float weight) noexcept;
+    void drop(int x, int y, const XYZ& value, float weight) noexcept;
 
-    static constexpr std::uint32_t kCountsPerCarry = 1u << 27;
+    static constexpr std::uint32_t kCountsPerCarry = 1u << 23;
     static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
 
     PixelBounds places_, bounds_;
