@@ -28,7 +28,9 @@ done
 if grep -rqF -e "$root" -e "$build" "$prefix"/lib*/cmake "$prefix"/lib*/pkgconfig "$prefix/include"; then
     fail "the package names the folder that it was built in"
 fi
-if grep -rqiE 'embree|CLI11' "$prefix"/lib*/cmake "$prefix"/lib*/pkgconfig; then fail "the package asks for Embree or CLI11"; fi
+if grep -rqiE 'embree|CLI11' "$prefix"/lib*/cmake "$prefix"/lib*/pkgconfig; then
+    fail "the package asks for Embree or CLI11"
+fi
 
 # What a sanitizer was built into must be linked with it.
 sanitize=$(cached EMULSION_SANITIZE)
