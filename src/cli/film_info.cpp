@@ -152,14 +152,38 @@ std::string dropped_text(std::uint64_t nan, std::uint64_t infinite, std::uint64_
     return fmt::format("{} NaN, {} infinite, {} of negative luminance", nan, infinite, negative);
 }
 
-void report_metadata(const FilmMetadata& metadata, InfoReport& report) {
-    report.line("samples",
-                fmt::format("{} of each pixel or more, {} in all", metadata.samples_per_pixel, metadata.sample_count));
+/// "16 of each pixel"; `most` is unknown of pictures.
+std::string per_pixel_text(std::uint64_t least, std::optional<std::uint64_t> most) {
+    if (!most) return fmt::format("at least {} of each pixel", least);
+    if (*most == least) return fmt::format("{} of each pixel", least);
+    return fmt::format("{} to {} of each pixel", least, *most);
+}
+
+void report_samples(const FilmInfo& info, InfoReport& report) {
+    const FilmMetadata& metadata = info.exr.metadata;
+    std::optional<std::uint64_t> most;
+    if (info.state) most = max_samples_per_pixel(info.state->contents);
+    report.line("samples", fmt::format("{}, {} in all",
+                                       per_pixel_text(static_cast<std::uint64_t>(metadata.samples_per_pixel), most),
+                                       metadata.sample_count));
+    report.member("samples_per_pixel", std::to_string(metadata.samples_per_pixel));
+    if (most) report.member("most_samples_per_pixel", std::to_string(*most));
+    report.member("sample_count", std::to_string(metadata.sample_count));
+}
+
+void report_losses(const FilmInfo& info, InfoReport& report) {
+    const FilmMetadata& metadata = info.exr.metadata;
     report.line("dropped", dropped_text(metadata.dropped_nan_count, metadata.dropped_infinite_count,
                                         metadata.dropped_negative_luminance_count));
+    std::vector<std::string> first;
+    if (info.state) {
+        for (const DroppedSample& sample : info.state->contents.counts.dropped.first()) {
+            report.line("", to_string(sample));
+            first.push_back(json_text(to_string(sample)));
+        }
+        report.member("first_dropped", json_list(first));
+    }
     report.line("firefly control", metadata.firefly_control.empty() ? "none" : metadata.firefly_control);
-    report.member("samples_per_pixel", std::to_string(metadata.samples_per_pixel));
-    report.member("sample_count", std::to_string(metadata.sample_count));
     report.member("dropped",
                   json_object({{"nan", std::to_string(metadata.dropped_nan_count)},
                                {"infinite", std::to_string(metadata.dropped_infinite_count)},
@@ -208,9 +232,6 @@ void report_ranges(const FilmProvenance& provenance, InfoReport& report) {
 /// What the header of the picture does not have.
 void report_state(const FilmState& state, InfoReport& report) {
     const FilmCounts& counts = state.contents.counts;
-    report.line("most samples", fmt::format("{} of a pixel", max_samples_per_pixel(state.contents)));
-    report.member("most_samples_per_pixel", std::to_string(max_samples_per_pixel(state.contents)));
-    for (const DroppedSample& sample : counts.dropped.first()) report.line("", "dropped: " + to_string(sample));
     const auto count = [&](std::string_view label, std::string_view key, std::uint64_t number) {
         if (number > 0) report.line(label, std::to_string(number));
         report.member(key, std::to_string(number));
@@ -250,7 +271,10 @@ InfoReport report_of(const FilmInfo& info) {
     report_channels(info, report);
     if (info.luminance) report_luminance(*info.luminance, report);
     const bool is_film = info.exr.kind == ExrKind::film_state || info.exr.kind == ExrKind::film_picture;
-    if (is_film) report_metadata(info.exr.metadata, report);
+    if (is_film) {
+        report_samples(info, report);
+        report_losses(info, report);
+    }
     if (info.state) report_state(*info.state, report);
     if (is_film) report_run(info.exr.metadata, report);
     std::vector<std::string> notes;

@@ -90,19 +90,27 @@ bool ExactTilePixel::add_large(const std::array<double, 4>& terms) noexcept {
     return true;
 }
 
-void ExactTilePixel::add_row(ExactTilePixel* row, std::span<const float> x_weights, float y_weight,
-                             const XYZd& xyz) noexcept {
+void ExactTilePixel::add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                               std::span<const float> y_weights, const XYZd& xyz) noexcept {
 #ifdef __x86_64__
     static const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
-    if (kHasAvx2) return add_row_avx2(row, x_weights, y_weight, xyz);
+    if (kHasAvx2) return add_block_avx2(first, stride, x_weights, y_weights, xyz);
 #endif
-    for (const float x_weight : x_weights) (row++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+    for (const float y_weight : y_weights) {
+        ExactTilePixel* pixel = first;
+        for (const float x_weight : x_weights) {
+            (pixel++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+        }
+        first += stride;
+    }
 }
 
 #ifdef __x86_64__
 
-[[gnu::target("avx2")]] void ExactTilePixel::add_row_avx2(ExactTilePixel* row, std::span<const float> x_weights,
-                                                          float y_weight, const XYZd& xyz) noexcept {
+[[gnu::target("avx2")]] void ExactTilePixel::add_block_avx2(ExactTilePixel* first, std::ptrdiff_t stride,
+                                                            std::span<const float> x_weights,
+                                                            std::span<const float> y_weights,
+                                                            const XYZd& xyz) noexcept {
     static_assert(sizeof(ExactTilePixel) == 64, "high parts and low parts lie side by side");
     const __m256d value = _mm256_setr_pd(xyz.x, xyz.y, xyz.z, 1.0);
     const __m256d top = _mm256_setr_pd(kTop, kTop, kTop, kWeightTop);
@@ -110,20 +118,24 @@ void ExactTilePixel::add_row(ExactTilePixel* row, std::span<const float> x_weigh
     const auto least = [](double of) { return static_cast<std::int64_t>(std::uint64_t{least_upper(of)} << 32); };
     const __m256i least_bits = _mm256_setr_epi64x(least(kTop), least(kTop), least(kTop), least(kWeightTop));
     const __m256i beyond = _mm256_set1_epi64x(~((std::int64_t{2} << kQuickUnitsBits) - 1));
-    for (const float x_weight : x_weights) {
-        const __m256d terms = _mm256_mul_pd(_mm256_set1_pd(static_cast<double>(x_weight * y_weight)), value);
-        const __m256d high = _mm256_add_pd(terms, top);
-        const __m256i high_bits = _mm256_castpd_si256(high);
-        if (_mm256_testz_si256(_mm256_sub_epi64(high_bits, least_bits), beyond) == 0) [[unlikely]] {
-            row->add_large({terms[0], terms[1], terms[2], terms[3]});
-        } else {
-            const __m256i low_bits = _mm256_castpd_si256(_mm256_add_pd(_mm256_sub_pd(top_and_rest, high), terms));
-            auto* const highs = reinterpret_cast<__m256i*>(&row->high_xy_);
-            auto* const lows = reinterpret_cast<__m256i*>(&row->low_xy_);
-            _mm256_storeu_si256(highs, _mm256_add_epi64(_mm256_loadu_si256(highs), high_bits));
-            _mm256_storeu_si256(lows, _mm256_add_epi64(_mm256_loadu_si256(lows), low_bits));
+    for (const float y_weight : y_weights) {
+        ExactTilePixel* pixel = first;
+        for (const float x_weight : x_weights) {
+            const __m256d terms = _mm256_mul_pd(_mm256_set1_pd(static_cast<double>(x_weight * y_weight)), value);
+            const __m256d high = _mm256_add_pd(terms, top);
+            const __m256i high_bits = _mm256_castpd_si256(high);
+            if (_mm256_testz_si256(_mm256_sub_epi64(high_bits, least_bits), beyond) == 0) [[unlikely]] {
+                pixel->add_large({terms[0], terms[1], terms[2], terms[3]});
+            } else {
+                const __m256i low_bits = _mm256_castpd_si256(_mm256_add_pd(_mm256_sub_pd(top_and_rest, high), terms));
+                auto* const highs = reinterpret_cast<__m256i*>(&pixel->high_xy_);
+                auto* const lows = reinterpret_cast<__m256i*>(&pixel->low_xy_);
+                _mm256_storeu_si256(highs, _mm256_add_epi64(_mm256_loadu_si256(highs), high_bits));
+                _mm256_storeu_si256(lows, _mm256_add_epi64(_mm256_loadu_si256(lows), low_bits));
+            }
+            ++pixel;
         }
-        ++row;
+        first += stride;
     }
 }
 

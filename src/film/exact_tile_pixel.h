@@ -11,6 +11,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -40,9 +41,10 @@ class ExactTilePixel {
         return true;
     }
 
-    /// add(x, y, z, x_weights[k] * y_weight) to pixel k of a row, for all weights; XYZ and weights must be finite.
-    static void add_row(ExactTilePixel* row, std::span<const float> x_weights, float y_weight,
-                        const XYZd& xyz) noexcept;
+    /// add(x, y, z, x_weights[i] * y_weights[j]) to pixel i of row j, for all weights. Rows are `stride` pixels apart;
+    /// XYZ and weights must be finite.
+    static void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                          std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
     /// Moves what the low parts have gathered into the high ones; the sums stay what they are.
     void carry() noexcept;
@@ -94,9 +96,9 @@ class ExactTilePixel {
     void store(const Plain& plain) noexcept;
     [[nodiscard]] Int128 xyz_units(std::size_t channel) const noexcept;
 
-    /// add_row() on processors with AVX2: X, Y, Z and the weight in one register. The same bits.
-    static void add_row_avx2(ExactTilePixel* row, std::span<const float> x_weights, float y_weight,
-                             const XYZd& xyz) noexcept;
+    /// add_block() on processors with AVX2: X, Y, Z and the weight in one register. The same bits.
+    static void add_block_avx2(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                               std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
     /// The same as add() for terms of any size.
     bool add_large(const std::array<double, 4>& terms) noexcept;

@@ -16,6 +16,7 @@
 #include "film/exr_channels.h"
 #include "film/exr_header_check.h"
 #include "film/exr_messages.h"
+#include "film/exr_metadata.h"
 #include "film/exr_parts.h"
 #include "film/exr_read_header.h"
 
@@ -84,7 +85,7 @@ ExrInfo info_of(const Imf::MultiPartInputFile& file) {
     info.kind = has_sums ? ExrKind::film_state : is_film(header) ? ExrKind::film_picture : ExrKind::picture;
     std::vector<std::string> notes;  // read_exr() has them, too
     info.space = space_text(space_of(header, *names, notes));
-    info.metadata = metadata_of(header, notes);
+    info.metadata = read_metadata(header, notes);
     return info;
 }
 

@@ -21,6 +21,7 @@
 #include "film/exr_header_check.h"
 #include "film/exr_layers.h"
 #include "film/exr_messages.h"
+#include "film/exr_metadata.h"
 #include "film/exr_read_header.h"
 #include "film/exr_threads.h"
 
@@ -101,7 +102,7 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
     const auto space = space_of(header, names, image.notes);
     image.white_luminance_cdm2 = white_luminance_cdm2(header, image.notes);
     const ChannelDecoder decoder(space, image.white_luminance_cdm2);
-    image.metadata = metadata_of(header, image.notes);
+    image.metadata = read_metadata(header, image.notes);
 
     Imf::InputPart in(file, part);
     in.setFrameBuffer(places_of(header, names, spectral_names, image));

@@ -89,16 +89,6 @@ double white_luminance_cdm2(const Imf::Header& header, std::vector<std::string>&
     return 1.0;
 }
 
-FilmMetadata metadata_of(const Imf::Header& header, std::vector<std::string>& notes) {
-    FilmMetadata metadata;
-    for_each_metadata_field(metadata, [&](const char* name, auto& value) {
-        const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
-        if (!attribute || parse_attribute(attribute->value(), value)) return;
-        notes.push_back(std::string(name) + " is \"" + attribute->value() + "\", expected a whole number: left out");
-    });
-    return metadata;
-}
-
 void place_in_frame(const Imf::Header& header, FilmPicture& picture) {
     // OpenEXR keeps coordinates within 2^30, so that all fits.
     const Imath::Box2i& data = header.dataWindow();

@@ -39,8 +39,6 @@ void check_picture_channels(const Imf::ChannelList& channels, const ChannelNames
 
 [[nodiscard]] double white_luminance_cdm2(const Imf::Header& header, std::vector<std::string>& notes);
 
-[[nodiscard]] FilmMetadata metadata_of(const Imf::Header& header, std::vector<std::string>& notes);
-
 /// Where the picture lies in a frame that starts at (0, 0).
 void place_in_frame(const Imf::Header& header, FilmPicture& picture);
 

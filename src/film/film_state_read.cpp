@@ -16,7 +16,7 @@
 #include "film/exr_header_check.h"
 #include "film/exr_header_reader.h"
 #include "film/exr_messages.h"
-#include "film/exr_read_header.h"
+#include "film/exr_metadata.h"
 #include "film/exr_threads.h"
 #include "film/film_state.h"
 #include "film/film_state_checksum.h"
@@ -72,7 +72,7 @@ FilmState read_checked(Imf::MultiPartInputFile& file) {
     const Imf::Header& header = file.header(kSumsPart);
     FilmState state = state_of(read_fields(header));
     std::vector<std::string> notes;
-    state.metadata = metadata_of(file.header(kPicturePart), notes);
+    state.metadata = read_metadata(file.header(kPicturePart), notes);
     if (!notes.empty()) throw std::runtime_error(notes.front());
 
     const FilmSetup setup(state.options);

@@ -42,12 +42,20 @@ bool all_finite(const XYZ& value, float weight) noexcept {
 
 double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
 
-void add_row(ExactTilePixel* row, std::span<const float> x_weights, float y_weight, const XYZd& xyz) noexcept {
-    ExactTilePixel::add_row(row, x_weights, y_weight, xyz);
+void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+               std::span<const float> y_weights, const XYZd& xyz) noexcept {
+    ExactTilePixel::add_block(first, stride, x_weights, y_weights, xyz);
 }
 template <class Pixel>
-void add_row(Pixel* row, std::span<const float> x_weights, float y_weight, const XYZd& xyz) noexcept {
-    for (const float x_weight : x_weights) (row++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+void add_block(Pixel* first, std::ptrdiff_t stride, std::span<const float> x_weights, std::span<const float> y_weights,
+               const XYZd& xyz) noexcept {
+    for (const float y_weight : y_weights) {
+        Pixel* pixel = first;
+        for (const float x_weight : x_weights) {
+            (pixel++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+        }
+        first += stride;
+    }
 }
 
 void add_to(ExactSum& sum, double term) noexcept { sum += ExactSum(term); }
@@ -148,29 +156,29 @@ void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample,
 }
 
 template <class Sums>
-template <class Visit>
-void BasicFilmTile<Sums>::for_each_row_reached(float x_px, float y_px, const Visit& visit) noexcept {
+typename BasicFilmTile<Sums>::Block BasicFilmTile<Sums>::block_reached(float x_px, float y_px) noexcept {
     const FilterFootprint& footprint = *setup_->footprint;
     const FilterFootprint::Reach all_x = footprint.reach(FilterAxis::x, x_px);
     const FilterFootprint::Reach all_y = footprint.reach(FilterAxis::y, y_px);
     const int x0 = std::max(all_x.begin, bounds_.x0), x1 = std::min(all_x.end, bounds_.x1);
     const int y0 = std::max(all_y.begin, bounds_.y0), y1 = std::min(all_y.end, bounds_.y1);
-    if (x0 >= x1 || y0 >= y1) return;
+    if (x0 >= x1 || y0 >= y1) return {};
     const float* const x_weights = footprint.weights(FilterAxis::x, x_px, all_x, x_weights_.data());
     const float* const y_weights = footprint.weights(FilterAxis::y, y_px, all_y, y_weights_.data());
-    const std::span<const float> row(x_weights + (x0 - all_x.begin), static_cast<std::size_t>(x1 - x0));
-    std::size_t first = index(x0, y0);
-    for (int y = y0; y < y1; ++y, first += static_cast<std::size_t>(width_)) {
-        visit(first, row, y_weights[y - all_y.begin]);
-    }
+    return {index(x0, y0),
+            {x_weights + (x0 - all_x.begin), static_cast<std::size_t>(x1 - x0)},
+            {y_weights + (y0 - all_y.begin), static_cast<std::size_t>(y1 - y0)}};
 }
 
 template <class Sums>
 template <class Visit>
-void BasicFilmTile<Sums>::for_each_reached(float x_px, float y_px, const Visit& visit) noexcept {
-    for_each_row_reached(x_px, y_px, [&](std::size_t first, std::span<const float> x_weights, float y_weight) {
-        for (std::size_t k = 0; k < x_weights.size(); ++k) visit(first + k, x_weights[k] * y_weight);
-    });
+void BasicFilmTile<Sums>::for_each_pixel(const Block& block, const Visit& visit) noexcept {
+    std::size_t first = block.first;
+    for (const float y_weight : block.y_weights) {
+        std::size_t i = first;
+        for (const float x_weight : block.x_weights) visit(i++, x_weight * y_weight);
+        first += static_cast<std::size_t>(width_);
+    }
 }
 
 template <class Sums>
@@ -194,14 +202,15 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     }
     const XYZ value = share * sample.xyz;
     const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
-    for_each_row_reached(x_px, y_px, [&](std::size_t first, std::span<const float> x_weights, float y_weight) {
-        add_row(pixels_.data() + first, x_weights, y_weight, exact_value);
-        std::uint32_t* count = sample_counts_.data() + first;
-        for (std::size_t k = 0; k < x_weights.size(); ++k) ++*count++;
-        spread_touches_ += x_weights.size();
-    });
+    const Block block = block_reached(x_px, y_px);
+    add_block(pixels_.data() + block.first, width_, block.x_weights, block.y_weights, exact_value);
+    std::uint32_t* counts = sample_counts_.data() + block.first;
+    for (std::size_t j = 0; j < block.y_weights.size(); ++j, counts += width_) {
+        for (std::size_t i = 0; i < block.x_weights.size(); ++i) ++counts[i];
+    }
+    spread_touches_ += block.x_weights.size() * block.y_weights.size();
     if (has_channels_ || has_buckets_) [[unlikely]] {
-        for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+        for_each_pixel(block, [&](std::size_t i, float weight) {
             if (has_channels_) add_channels(i, value, weight);
             if (has_buckets_) add_buckets(i, sample, spectral, weight);
         });
@@ -218,7 +227,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
     }
     const double per_area = 1.0 / setup_->footprint->area_px();
-    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+    for_each_pixel(block_reached(x_px, y_px), [&](std::size_t i, float weight) {
         const double density = static_cast<double>(weight) * per_area;
         const std::span<ExactSum> sums = channels_.sums(i);
         const auto at = static_cast<std::size_t>(setup_->channels.light_splat.begin);
@@ -253,7 +262,8 @@ void BasicFilmTile<Sums>::add_aux_at(float x_px, float y_px, std::size_t layer,
         ++dropped_aux_;
         return;
     }
-    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
+    for_each_pixel(block_reached(x_px, y_px),
+                   [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
 }
 
 template <class Sums>

@@ -139,13 +139,15 @@ class BasicFilmTile {
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
-    /// Calls visit(first pixel, weights in x, weight in y) for each row of pixels of the tile that the filter reaches
-    /// from a place.
+    /// Pixels of the tile that the filter reaches from a place, and their weights along both axes.
+    struct Block {
+        std::size_t first = 0;
+        std::span<const float> x_weights = {}, y_weights = {};  // in x_weights_ and y_weights_
+    };
+    [[nodiscard]] Block block_reached(float x_px, float y_px) noexcept;
+    /// Calls visit(pixel, weight) for each of them.
     template <class Visit>
-    void for_each_row_reached(float x_px, float y_px, const Visit& visit) noexcept;
-    /// Calls visit(pixel, weight) for each of those pixels.
-    template <class Visit>
-    void for_each_reached(float x_px, float y_px, const Visit& visit) noexcept;
+    void for_each_pixel(const Block& block, const Visit& visit) noexcept;
     [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept;
     [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
     void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;

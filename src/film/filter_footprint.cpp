@@ -1,5 +1,7 @@
 #include "film/filter_footprint.h"
 
+#include <limits>
+
 #include "core/parameters.h"
 #include "film/cubic_fit.h"
 
@@ -41,9 +43,9 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     table.radius_px = radius_px(filter_, axis);
     table.mean_weight_scale = mean_weight_scale(filter_, axis);
 
-    // Some 512 cells to a radius, an even number to a pixel: the edges of filters of whole radii are at pixels'
-    // centres.
-    constexpr double kCellsPerRadius = 512.0, kMostPerPixel = 512.0;
+    // Enough for cubics, and few enough for the first cache. An even number to a pixel: the edges of filters of whole
+    // radii are at pixels' centres.
+    constexpr double kCellsPerRadius = 128.0, kMostPerPixel = 128.0;
     const double per_px = 2.0 * std::ceil(0.5 * std::min(kCellsPerRadius / table.radius_px, kMostPerPixel));
     table.cells_per_px = static_cast<float>(per_px);
 
@@ -51,7 +53,8 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     table.first = static_cast<int>(std::floor(-0.5 - table.radius_px)) + 1;
     const int end = static_cast<int>(std::floor(0.5 + table.radius_px)) + 1;
     table.row = (static_cast<std::size_t>(end - table.first) + 3) / 4 * 4;
-    for (int i = 0; i < static_cast<int>(per_px); ++i) add_cell(table, axis, i / per_px, 1.0 / per_px);
+    table.last_cell = static_cast<int>(per_px) - 1;
+    for (int i = 0; i <= table.last_cell; ++i) add_cell(table, axis, i / per_px, 1.0 / per_px);
 
     constexpr int kPanels = 512;
     for (int i = 0; i < kPanels; ++i) {
@@ -65,7 +68,7 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
 }
 
 void FilterFootprint::add_cell(AxisTable& table, FilterAxis axis, double begin, double width) const {
-    Cell cell{table.coefficients.size(), true};
+    bool is_good = true;
     std::vector<float> coefficients(4 * table.row);
     for (std::size_t k = 0; k < table.row; ++k) {
         // A pixel that is out of reach from all of the cell has weights that nobody reads; past the radius, so have the
@@ -75,13 +78,13 @@ void FilterFootprint::add_cell(AxisTable& table, FilterAxis axis, double begin, 
         if (distance >= table.radius_px) continue;
         const CubicFit fit = fit_cubic(
             [&](double t) { return table.mean_weight_scale * inside(filter_, axis, centre - (begin + t * width)); });
-        cell.is_cubic = cell.is_cubic && fit.worst < kCubicTolerance;
+        is_good = is_good && fit.worst < kCubicTolerance;
         for (std::size_t i = 0; i < 4; ++i) {
             coefficients[k / 4 * 16 + 4 * i + k % 4] = static_cast<float>(fit.coefficient[i]);
         }
     }
+    if (!is_good) coefficients[0] = std::numeric_limits<float>::quiet_NaN();
     table.coefficients.insert(table.coefficients.end(), coefficients.begin(), coefficients.end());
-    table.cells.push_back(cell);
 }
 
 const float* FilterFootprint::weights_by_reference(FilterAxis axis, float place_px, Reach reached,

@@ -47,13 +47,12 @@ class FilterFootprint {
         const AxisTable& axis_table = table(axis);
         const float pixel = std::floor(place_px);
         const float scaled = (place_px - pixel) * axis_table.cells_per_px;
-        const auto index = std::min(static_cast<std::size_t>(scaled), axis_table.cells.size() - 1);
-        const Cell cell = axis_table.cells[index];
-        if (!cell.is_cubic) [[unlikely]]
-            return weights_by_reference(axis, place_px, reached, weights);
+        const int index = std::min(static_cast<int>(scaled), axis_table.last_cell);
         const float t = scaled - static_cast<float>(index);
-        const float* const c = axis_table.coefficients.data() + cell.begin;
+        const float* const c = axis_table.coefficients.data() + static_cast<std::size_t>(index) * 4 * axis_table.row;
         for (std::size_t i = 0; i < axis_table.row; i += 4) four_cubics(c + 4 * i, t, weights + i);
+        if (std::isnan(weights[0])) [[unlikely]]
+            return weights_by_reference(axis, place_px, reached, weights);
         return weights + (reached.begin - static_cast<int>(pixel) - axis_table.first);
     }
 
@@ -71,27 +70,24 @@ class FilterFootprint {
     [[nodiscard]] PixelBounds reached_from(const PixelBounds& places) const noexcept;
 
   private:
-    struct Cell {
-        std::size_t begin = 0;  // in `coefficients`
-        bool is_cubic = false;
-    };
     // Of pixel first + k, if the place is in pixel 0 and at t in [0, 1] within its cell: c0 + t (c1 + t (c2 + t c3)).
-    // Four pixels to a block: their c0, their c1, ...
+    // 4 row coefficients to a cell, in blocks of four pixels: their c0, their c1, ... The first c0 of a cell is NaN if
+    // cubics will not do there.
     struct AxisTable {
         double radius_px = 0.0;
         double mean_weight_scale = 0.0;  // 2 radius / integral of f
         double mean_square_weight = 0.0;
         float cells_per_px = 0.0f;
+        int last_cell = 0;
         int first = 0;        // the first pixel that is reached from anywhere in pixel 0
         std::size_t row = 0;  // pixels that are, rounded up to fours
-        std::vector<Cell> cells;
         std::vector<float> coefficients;
     };
 
     static void four_cubics(const float* c, float t, float* weights) noexcept {
-        using Unaligned4 [[gnu::vector_size(16), gnu::aligned(4)]] = float;
-        const auto four = [c](int i) { return *reinterpret_cast<const Unaligned4*>(c + 4 * i); };
-        *reinterpret_cast<Unaligned4*>(weights) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
+        using AnyFloat4 [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+        const auto four = [c](int i) { return *reinterpret_cast<const AnyFloat4*>(c + 4 * i); };
+        *reinterpret_cast<AnyFloat4*>(weights) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
     }
 
     [[nodiscard]] AxisTable make_table(FilterAxis axis) const;
