@@ -146,7 +146,8 @@ TEST_F(InfoProgram, TellsWhatItCanOfOtherFiles) {
     std::string bytes = read_text(exr_);
     bytes[bytes.find("Z\0"s, bytes.find("chlist"))] = 'Q';
     write_text(exr_, bytes);
-    EXPECT_THAT(text_of(exr_), AllOf(HasSubstr("other EXR, "), HasSubstr("4x2 pixels\n"), HasSubstr("channels     Q, X, Y\n")));
+    EXPECT_THAT(text_of(exr_),
+                AllOf(HasSubstr("other EXR, "), HasSubstr("4x2 pixels\n"), HasSubstr("channels     Q, X, Y\n")));
     EXPECT_THAT(json_of(exr_), AllOf(HasSubstr("\"kind\": \"other EXR\""), Not(HasSubstr("luminance"))));
 }
 
