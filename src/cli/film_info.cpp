@@ -54,7 +54,7 @@ std::pair<std::string, std::string> layer_and_component(const std::string& chann
     return {channel.substr(0, dot), channel.substr(dot + 1)};
 }
 
-/// "albedo (R G B, half)".
+/// "albedo (B G R), samples".
 std::string layers_text(const ExrPartInfo& part, const ExrInfo& exr) {
     std::vector<std::pair<std::string, std::string>> layers;
     for (const ExrChannelInfo& channel : part.channels) {
@@ -108,15 +108,16 @@ void report_channels(const FilmInfo& info, InfoReport& report) {
         report.member_text("space", info.exr.space);
         report.member("white_luminance_cdm2", json_number(info.white_luminance_cdm2));
     }
-    report.line("layers", layers_text(part, info.exr));
+    report.line(info.exr.kind == ExrKind::other ? "channels" : "layers", layers_text(part, info.exr));
     report.line("spectrum", spectrum_text(part));
     report.line("compression", part.compression);
     std::vector<std::string> parts;
     for (const ExrPartInfo& each : info.exr.parts) {
         parts.push_back(part_json(each));
         if (&each == &part || info.exr.kind == ExrKind::film_state) continue;
-        report.line("other part", fmt::format("\"{}\": {}x{} pixels, {}", each.name, each.data_window.width(),
-                                              each.data_window.height(), layers_text(each, {})));
+        report.line("other part",
+                    fmt::format("{}{}{}x{} pixels, {}", each.name, each.name.empty() ? "" : ": ",
+                                each.data_window.width(), each.data_window.height(), layers_text(each, {})));
     }
     report.member("parts", json_list(parts));
 }
@@ -251,7 +252,10 @@ void report_state(const FilmState& state, InfoReport& report) {
 FilmInfo read_film_info(const std::filesystem::path& path, int threads) {
     FilmInfo info{.path = path, .exr = read_exr_info(path), .state = std::nullopt, .luminance = std::nullopt};
     info.bytes = std::filesystem::file_size(path);
-    if (info.exr.kind == ExrKind::other) return info;
+    if (info.exr.kind == ExrKind::other) {
+        info.notes.emplace_back("no channels X Y Z or R G B: no picture to say more of");
+        return info;
+    }
     if (info.exr.kind == ExrKind::film_state) info.state = read_film_state(path);
     const FilmImage picture = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
     info.luminance = luminance_statistics(picture.xyz.view(), threads);

@@ -1,8 +1,10 @@
 #pragma once
 // What `emulsion info` has to say of an EXR.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/info_report.h"
@@ -20,7 +22,7 @@ struct FilmInfo {
     // Of a picture.
     std::optional<LuminanceStatistics> luminance;
     double white_luminance_cdm2 = 1.0;
-    std::vector<std::string> notes = {};  ///< of read_exr()
+    std::vector<std::string> notes = {};  ///< of read_exr(), or why there is no picture
 };
 
 /// Reads all of the file. \throws IoError if it can't be read, or is damaged.
