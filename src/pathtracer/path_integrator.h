@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "pathtracer/aux_layers.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/sample_sequence.h"
+#include "pathtracer/surface.h"
 #include "spectrum/sampled_spectrum.h"
 #include "spectrum/spectrum_table.h"
 
@@ -34,8 +36,9 @@ class PathIntegrator {
     /// `max_depth` >= 0: the longest path, in scattering events.
     PathIntegrator(const PreparedScene& scene, int max_depth) noexcept : scene_(scene), max_depth_(max_depth) {}
 
-    /// Follows the paths to their ends and leaves what they gathered in their `radiance`.
-    void trace(std::span<Path<N>> paths);
+    /// Follows the paths to their ends and leaves what they gathered in their `radiance`. `first_hits`, unless it is
+    /// empty, gets what each of them met first.
+    void trace(std::span<Path<N>> paths, std::span<FirstHit> first_hits = {});
 
   private:
     struct ShadowRay {
@@ -43,6 +46,8 @@ class PathIntegrator {
         std::uint32_t path;
     };
 
+    [[nodiscard]] SurfacePoint point_of(const Ray& ray, const Hit& hit) const noexcept;
+    void note_first_hits(std::span<FirstHit> first_hits) const noexcept;
     void add_background(Path<N>& path) const noexcept;
     bool scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth);
     void add_emission(Path<N>& path, const Emitter& emitter, const SurfacePoint& point, bool two_sided) const noexcept;
