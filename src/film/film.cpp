@@ -16,33 +16,6 @@ void require_inside(const PixelBounds& places, const PixelBounds& film) {
                                 to_string(film));
 }
 
-std::size_t pixel_count(const PixelBounds& bounds) noexcept {
-    return static_cast<std::size_t>(bounds.width()) * static_cast<std::size_t>(bounds.height());
-}
-
-template <class Sums>
-void require_size(const FilmContents<Sums>& contents, const FilmSetup& setup) {
-    const std::size_t pixels = pixel_count(setup.bounds);
-    const std::size_t sums = pixels * static_cast<std::size_t>(setup.channels.sums);
-    const bool fits = contents.pixels.size() == pixels && contents.channels.layout() == setup.channels &&
-                      contents.channels.all_sums().size() == sums;
-    if (fits) return;
-    throw std::invalid_argument("film: contents of " + std::to_string(contents.pixels.size()) + " pixels with " +
-                                std::to_string(contents.channels.all_sums().size()) + " further sums, expected " +
-                                std::to_string(pixels) + " with " + std::to_string(sums));
-}
-
-template <class Sums>
-FilmContents<Sums> empty_contents(const FilmSetup& setup) {
-    const std::size_t pixels = pixel_count(setup.bounds);
-    return {std::vector<typename Sums::FilmPixel>(pixels), ChannelSums(setup.channels, pixels), {}};
-}
-
-template <class Pixel>
-bool has_fewer_samples(const Pixel& a, const Pixel& b) noexcept {
-    return a.samples() < b.samples();
-}
-
 }  // namespace
 
 template <class Sums>
@@ -99,9 +72,7 @@ void BasicFilm<Sums>::merge(const BasicFilm& other) {
                                     ", expected " + to_text(options()));
     }
     const std::scoped_lock lock(mutex_, other.mutex_);
-    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) contents_.pixels[i].merge(other.contents_.pixels[i]);
-    contents_.channels.add(0, other.contents_.channels, 0, contents_.pixels.size());
-    contents_.counts.merge(other.contents_.counts);
+    emulsion::merge(contents_, other.contents_);
 }
 
 template <class Sums>
@@ -112,39 +83,20 @@ void BasicFilm<Sums>::add_light_paths(std::uint64_t paths) {
 
 template <class Sums>
 Image<XYZ> BasicFilm<Sums>::xyz_image() const {
-    Image<XYZ> image(bounds().width(), bounds().height());
     const std::lock_guard lock(mutex_);
-    const FilmCounts& counts = contents_.counts;
-    if (counts.light_splats > 0 && counts.light_paths == 0) {
-        throw std::logic_error("film: it has " + std::to_string(counts.light_splats) +
-                               " light splats, and nobody told it the number of light paths");
-    }
-    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) {
-        const PixelSums sums = pixel_sums(i);
-        const XYZd value =
-            camera_value_of(sums, *setup_).value_or(XYZd{}) + light_value_of(sums, *setup_, counts.light_paths);
-        image.pixels()[i] = {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
-    }
-    return image;
+    return emulsion::xyz_image(contents_, *setup_);
 }
 
 template <class Sums>
 std::int64_t BasicFilm<Sums>::pixels_without_value() const {
     const std::lock_guard lock(mutex_);
-    if (contents_.counts.samples == 0 && contents_.counts.light_paths > 0) return 0;
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) count += has_value(pixel_sums(i)) ? 0 : 1;
-    return count;
+    return emulsion::pixels_without_value(contents_);
 }
 
 template <class Sums>
 std::int64_t BasicFilm<Sums>::saturated_pixels() const {
     const std::lock_guard lock(mutex_);
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < contents_.pixels.size(); ++i) {
-        count += contents_.pixels[i].is_saturated() || contents_.channels.is_saturated(i) ? 1 : 0;
-    }
-    return count;
+    return emulsion::saturated_pixels(contents_);
 }
 
 template <class Sums>
@@ -156,13 +108,13 @@ FilmCounts BasicFilm<Sums>::counts() const {
 template <class Sums>
 std::uint64_t BasicFilm<Sums>::min_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return std::min_element(contents_.pixels.begin(), contents_.pixels.end(), has_fewer_samples<Pixel>)->samples();
+    return emulsion::min_samples_per_pixel(contents_);
 }
 
 template <class Sums>
 std::uint64_t BasicFilm<Sums>::max_samples_per_pixel() const {
     const std::lock_guard lock(mutex_);
-    return std::max_element(contents_.pixels.begin(), contents_.pixels.end(), has_fewer_samples<Pixel>)->samples();
+    return emulsion::max_samples_per_pixel(contents_);
 }
 
 template <class Sums>

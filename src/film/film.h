@@ -14,7 +14,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "film/dropped_samples.h"
-#include "film/film_channels.h"
+#include "film/film_contents.h"
 #include "film/film_counts.h"
 #include "film/film_options.h"
 #include "film/film_setup.h"
@@ -24,15 +24,6 @@
 #include "film/sensor.h"
 
 namespace emulsion {
-
-/// Everything that a film has gathered, as it lies in memory: for film state files.
-template <class Sums>
-struct FilmContents {
-    std::vector<typename Sums::FilmPixel> pixels;  ///< of the film's bounds, row by row
-    ChannelSums channels;                          ///< of the same pixels
-    FilmCounts counts;
-    bool operator==(const FilmContents&) const = default;
-};
 
 /// Sums is one of FilmSums; what is said of bits holds for ExactSums. Film, below, is the film of them.
 template <class Sums>
@@ -96,21 +87,20 @@ class BasicFilm {
     /// A copy of everything, consistent even while others merge.
     [[nodiscard]] FilmContents<Sums> contents() const;
 
+    /// visit(const FilmContents<Sums>&), while merges wait: everything at one moment, without a copy.
+    template <class Visit>
+    decltype(auto) with_contents(const Visit& visit) const {
+        const std::lock_guard lock(mutex_);
+        return visit(contents_);
+    }
     /// Calls visit(pixel number, PixelSums) for every pixel, row by row, while merges wait.
     template <class Visit>
     void for_each_pixel(const Visit& visit) const {
         const std::lock_guard lock(mutex_);
-        for (std::size_t i = 0; i < contents_.pixels.size(); ++i) visit(i, pixel_sums(i));
+        for (std::size_t i = 0; i < contents_.pixels.size(); ++i) visit(i, sums_of(contents_, i));
     }
 
   private:
-    using Pixel = typename Sums::FilmPixel;
-
-    [[nodiscard]] PixelSums pixel_sums(std::size_t i) const noexcept {
-        const Pixel& pixel = contents_.pixels[i];
-        return {pixel.sums(), pixel.samples(), contents_.channels.sums(i), contents_.channels.squares(i)};
-    }
-
     std::shared_ptr<const FilmSetup> setup_;
     mutable std::mutex mutex_;  // guards all below
     FilmContents<Sums> contents_;

@@ -13,4 +13,7 @@ namespace emulsion {
 /// \throws std::logic_error as BasicFilm::xyz_image.
 [[nodiscard]] FilmPicture picture_of(const Film& film);
 
+/// Of what a film of these options has gathered. Of the sensor only the imaging ratio counts.
+[[nodiscard]] FilmPicture picture_of(const FilmContents<ExactSums>& contents, const FilmSetup& setup);
+
 }  // namespace emulsion
