@@ -20,7 +20,9 @@
 #include <Imath/ImathVec.h>
 
 #include "film/film_options.h"
+#include "film/film_tile.h"
 #include "pathtracer/accelerator.h"
+#include "pathtracer/prepared_scene.h"
 #include "pathtracer/scene.h"
 
 namespace emulsion {
@@ -32,6 +34,10 @@ struct FirstHit {
     Imath::V3f facing_normal{0.0f};    ///< unit, world space; on the side from which the ray comes
 };
 
+/// The first hits of camera rays; all spans of one size.
+void note_first_hits(const PreparedScene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+                     std::span<FirstHit> first_hits) noexcept;
+
 /// The layers of one film, for one scene.
 class AuxLayers {
   public:
@@ -41,22 +47,15 @@ class AuxLayers {
 
     [[nodiscard]] bool empty() const noexcept { return !albedo_layer_ && !normal_layer_ && !depth_layer_; }
 
-    /// add(layer, values) for each layer, if something was met.
-    template <class Add>
-    void for_each(const FirstHit& hit, const Add& add) const noexcept {
-        if (hit.shape == Hit::kNone) return;
-        if (albedo_layer_) {
-            const auto material = static_cast<std::size_t>(scene_.shapes[hit.shape].material);
-            add(*albedo_layer_, std::span<const float>(material_albedo_[material]));
-        }
-        if (normal_layer_) {
-            const std::array<float, 3> normal = {hit.facing_normal.x, hit.facing_normal.y, hit.facing_normal.z};
-            add(*normal_layer_, std::span<const float>(normal));
-        }
-        if (depth_layer_) add(*depth_layer_, std::span<const float>(&hit.distance, 1));
-    }
+    /// Adds what a path has met first, if it is anything: to a pixel, or around a place for films that splat.
+    void add(FilmTile& tile, int x, int y, float weight, const FirstHit& hit) const noexcept;
+    void add_at(FilmTile& tile, float x_px, float y_px, const FirstHit& hit) const noexcept;
 
   private:
+    /// Calls add(layer, values).
+    template <class Add>
+    void for_each(const FirstHit& hit, const Add& add) const noexcept;
+
     const Scene& scene_;
     std::optional<std::size_t> albedo_layer_, normal_layer_, depth_layer_;
     std::vector<std::array<float, 3>> material_albedo_;  // if there is such a layer

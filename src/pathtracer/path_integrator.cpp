@@ -30,7 +30,7 @@ void PathIntegrator<N>::trace(std::span<Path<N>> paths, std::span<FirstHit> firs
         hits_.resize(active_.size());
         for (std::size_t i = 0; i < active_.size(); ++i) rays_[i] = paths[active_[i]].ray;
         scene_.accelerator().intersect(rays_, hits_);
-        if (depth == 0 && !first_hits.empty()) note_first_hits(first_hits);
+        if (depth == 0 && !first_hits.empty()) note_first_hits(scene_, rays_, hits_, first_hits);
 
         // The paths that go on move up; their order stays, and with it their neighbourhood.
         std::size_t going_on = 0;
@@ -44,25 +44,6 @@ void PathIntegrator<N>::trace(std::span<Path<N>> paths, std::span<FirstHit> firs
         }
         active_.resize(going_on);
         trace_shadow_rays(paths);
-    }
-}
-
-template <int N>
-inline SurfacePoint PathIntegrator<N>::point_of(const Ray& ray, const Hit& hit) const noexcept {
-    const auto& shape = scene_.shape(hit.shape);
-    if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
-    const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
-    return surface_point(*shape.sphere, point_at(*shape.sphere, along));
-}
-
-template <int N>
-void PathIntegrator<N>::note_first_hits(std::span<FirstHit> first_hits) const noexcept {
-    for (std::size_t i = 0; i < first_hits.size(); ++i) {
-        first_hits[i] = {};
-        if (hits_[i].shape == Hit::kNone) continue;
-        const Imath::V3f normal = point_of(rays_[i], hits_[i]).shading_normal;
-        const bool front = rays_[i].direction.dot(normal) < 0.0f;
-        first_hits[i] = {hits_[i].shape, hits_[i].t, front ? normal : -normal};
     }
 }
 
@@ -83,7 +64,7 @@ void PathIntegrator<N>::add_background(Path<N>& path) const noexcept {
 template <int N>
 bool PathIntegrator<N>::scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth) {
     const auto& shape = scene_.shape(hit.shape);
-    const SurfacePoint point = point_of(path.ray, hit);
+    const SurfacePoint point = surface_point(shape, path.ray, hit);
     if (shape.first_emitter) {
         add_emission(path, scene_.emitters()[*shape.first_emitter + hit.primitive], point, shape.two_sided);
     }
@@ -162,11 +143,22 @@ void PathIntegrator<N>::trace_shadow_rays(std::span<Path<N>> paths) {
     shadows_.clear();
 }
 
+template <int N>
+void add_at(FilmTile& tile, float x_px, float y_px, const Path<N>& path) noexcept {
+    tile.add_at(x_px, y_px, path.wavelengths, path.radiance);
+}
+
 template class PathIntegrator<1>;
+template void add_at<1>(FilmTile&, float, float, const Path<1>&) noexcept;
 template class PathIntegrator<2>;
+template void add_at<2>(FilmTile&, float, float, const Path<2>&) noexcept;
 template class PathIntegrator<4>;
+template void add_at<4>(FilmTile&, float, float, const Path<4>&) noexcept;
 template class PathIntegrator<8>;
+template void add_at<8>(FilmTile&, float, float, const Path<8>&) noexcept;
 template class PathIntegrator<16>;
+template void add_at<16>(FilmTile&, float, float, const Path<16>&) noexcept;
 template class PathIntegrator<32>;
+template void add_at<32>(FilmTile&, float, float, const Path<32>&) noexcept;
 
 }  // namespace emulsion

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "film/film_tile.h"
 #include "pathtracer/aux_layers.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/sample_sequence.h"
-#include "pathtracer/surface.h"
 #include "spectrum/sampled_spectrum.h"
 #include "spectrum/spectrum_table.h"
 
@@ -30,6 +30,11 @@ struct Path {
     Imath::V3f last_vertex{0.0f};       ///< where that was: the point for which the lights' densities were taken
 };
 
+/// Adds what a path has gathered around its place in the picture. Not inline, as that would cost the samples of other
+/// films, which are added elsewhere.
+template <int N>
+void add_at(FilmTile& tile, float x_px, float y_px, const Path<N>& path) noexcept;
+
 template <int N>
 class PathIntegrator {
   public:
@@ -46,8 +51,6 @@ class PathIntegrator {
         std::uint32_t path;
     };
 
-    [[nodiscard]] SurfacePoint point_of(const Ray& ray, const Hit& hit) const noexcept;
-    void note_first_hits(std::span<FirstHit> first_hits) const noexcept;
     void add_background(Path<N>& path) const noexcept;
     bool scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth);
     void add_emission(Path<N>& path, const Emitter& emitter, const SurfacePoint& point, bool two_sided) const noexcept;
@@ -66,10 +69,16 @@ class PathIntegrator {
 };
 
 extern template class PathIntegrator<1>;
+extern template void add_at<1>(FilmTile&, float, float, const Path<1>&) noexcept;
 extern template class PathIntegrator<2>;
+extern template void add_at<2>(FilmTile&, float, float, const Path<2>&) noexcept;
 extern template class PathIntegrator<4>;
+extern template void add_at<4>(FilmTile&, float, float, const Path<4>&) noexcept;
 extern template class PathIntegrator<8>;
+extern template void add_at<8>(FilmTile&, float, float, const Path<8>&) noexcept;
 extern template class PathIntegrator<16>;
+extern template void add_at<16>(FilmTile&, float, float, const Path<16>&) noexcept;
 extern template class PathIntegrator<32>;
+extern template void add_at<32>(FilmTile&, float, float, const Path<32>&) noexcept;
 
 }  // namespace emulsion

@@ -94,21 +94,13 @@ class TileRenderer {
 
     void add(FilmTile& tile, const Start& start, const Path<N>& path) const noexcept {
         tile.set_sample_index(static_cast<std::uint64_t>(start.sample_index));
-        if (is_splatted_) {
-            tile.add_at(start.x_px, start.y_px, path.wavelengths, path.radiance);
-        } else {
-            tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
-        }
+        if (is_splatted_) [[unlikely]]
+            return add_at(tile, start.x_px, start.y_px, path);
+        tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
     }
-
     void add_aux(FilmTile& tile, const Start& start, const FirstHit& hit) const noexcept {
-        aux_.for_each(hit, [&](std::size_t layer, std::span<const float> values) {
-            if (is_splatted_) {
-                tile.add_aux_at(start.x_px, start.y_px, layer, values);
-            } else {
-                tile.add_aux(start.x, start.y, layer, values, start.weight);
-            }
-        });
+        if (is_splatted_) return aux_.add_at(tile, start.x_px, start.y_px, hit);
+        aux_.add(tile, start.x, start.y, start.weight, hit);
     }
 
     const PreparedScene& scene_;

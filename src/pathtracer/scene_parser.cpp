@@ -174,8 +174,8 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
     Scene scene = builder.finish(lexer.peek().place);
     ContentHash hash;
     hash.add(text);
-    hash.add(builder.files_read().digits());
-    scene.hash = hash.digits();
+    hash.add(builder.files_read().hex());
+    scene.hash = hash.hex();
     return scene;
 }
 

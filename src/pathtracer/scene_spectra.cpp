@@ -101,6 +101,8 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files,
         throw SceneError(parameter.first_value, fmt::format("spectrum {} ({})", quote(name), error.reason()),
                          "a known one, or a file that can be read");
     }
+    // With its size, so that the end of one file and the beginning of the next don't pass for each other.
+    files.contents.add(fmt::format("{}:", content.size()));
     files.contents.add(content);
     return read_spectrum_file(path, content, bounds);
 }

@@ -73,9 +73,9 @@ TEST(SceneParser, NamesTheTokenAtFault) {
         {"Camera \"perspective\" \" \" 3", "1:22: found the string \" \", expected a parameter's \"type name\""},
         {"Film \"rgb\" \"string filename\" out.exr", "1:30: found \"out.exr\", expected a string"},
         {"Film \"rgb\" \"bool savefp16\" [true maybe]", "1:34: found \"maybe\", expected true, false or \"]\""},
-        {"Film \"rgb\" \"float cropwindow\" [0 1 0 1]",
-         "1:12: found parameter \"cropwindow\" of film \"rgb\", " + unsupported +
-             "xresolution, yresolution, filename, savefp16, sensor, iso, diagonal, whitebalance)"},
+        {"Film \"rgb\" \"float maxcomponentvalue\" 10",
+         "1:12: found parameter \"maxcomponentvalue\" of film \"rgb\", " + unsupported +
+             "xresolution, yresolution, filename, savefp16, sensor, iso, diagonal, cropwindow, pixelbounds, whitebalance)"},
         {"Translate 1 2", "1:14: found the end of the file, expected a number, the 3 of 3"},
         {"Translate 1 2 x", "1:15: found \"x\", expected a number, the 3 of 3"},
         {"Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 2]", "1:44: found \"2\", expected a \"]\" after 16 numbers"},
