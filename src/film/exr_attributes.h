@@ -29,6 +29,9 @@ void for_each_metadata_field(Metadata& metadata, const F& field) {
 /// The exact buckets of the spectral channels, by rising wavelength: "centre:width centre:width ...", in nm.
 inline constexpr const char* kSpectralBucketsAttribute = "emulsion.spectralBuckets";
 
+/// Of a film state, in the part that holds its sums.
+inline constexpr const char* kFilmStateVersionAttribute = "emulsion.filmStateVersion";
+
 inline std::string attribute_text(const std::string& value) { return value; }
 template <class Integer>
 std::string attribute_text(Integer value) {

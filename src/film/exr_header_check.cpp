@@ -54,8 +54,8 @@ std::vector<ChannelFacts> channels_of(const HeaderReader& file, std::string_view
     return all;
 }
 
-void note_attribute(const HeaderReader& file, std::string_view name, std::string_view type, std::string_view value,
-                    HeaderFacts& facts) {
+void note_attribute(const HeaderReader& file, const RawAttribute& attribute, HeaderFacts& facts) {
+    const auto& [name, type, value, position] = attribute;
     if (name == "dataWindow" && type == "box2i" && value.size() == 16) {
         facts.width = signed_word(value, 8) - signed_word(value, 0) + 1;
         facts.height = signed_word(value, 12) - signed_word(value, 4) + 1;
@@ -73,19 +73,6 @@ void note_attribute(const HeaderReader& file, std::string_view name, std::string
     } else if (name == "type" && type == "string" && value.starts_with("deep")) {
         file.fail("is a deep EXR, expected a flat one");
     }
-}
-
-/// Whether the file has several parts.
-bool check_version(HeaderReader& file) {
-    constexpr std::uint32_t kMagic = 20000630, kDeep = 0x800, kMultiPart = 0x1000;
-    const std::string magic = file.file_size() < 8 ? std::string(4, '\0') : file.bytes(4);
-    if (word(magic, 0) != kMagic) file.fail("is not an EXR file");
-    const std::uint32_t version = word(file.bytes(4), 0);
-    if ((version & 0xffu) != 2) {
-        file.fail("is an EXR of version " + std::to_string(version & 0xffu) + ", expected 2");
-    }
-    if (version & kDeep) file.fail("is a deep EXR, expected a flat one");
-    return (version & kMultiPart) != 0;
 }
 
 std::string size_text(const HeaderFacts& facts) {
@@ -129,24 +116,21 @@ double least_bytes(const HeaderFacts& facts) {
 
 void check_exr_header(const std::filesystem::path& path) {
     HeaderReader file(path);
-    const bool several_parts = check_version(file);
+    const bool several_parts = read_exr_version(file);
     double bytes = 0.0;
-    std::string name = file.name();
+    RawAttribute attribute;
+    bool is_there = read_attribute(file, attribute);
     do {
         HeaderFacts facts;
-        for (; !name.empty(); name = file.name()) {
-            const std::string type = file.name();
-            const std::uint32_t size = word(file.bytes(4), 0);
-            note_attribute(file, name, type, file.bytes(size), facts);
-        }
+        for (; is_there; is_there = read_attribute(file, attribute)) note_attribute(file, attribute, facts);
         check_part(file, facts);
         bytes += least_bytes(facts);
         if (bytes > static_cast<double>(file.file_size())) {
             file.fail("is damaged or incomplete: its header promises " + size_text(facts) + " pixels, too many for " +
                       std::to_string(file.file_size()) + " bytes");
         }
-        if (several_parts) name = file.name();
-    } while (!name.empty());
+        if (several_parts) is_there = read_attribute(file, attribute);
+    } while (is_there);
 }
 
 }  // namespace emulsion

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "core/error.h"
 
@@ -40,6 +41,29 @@ std::string HeaderReader::name() {
         text += next;
         if (text.size() > 255) fail("is not a valid EXR: a name in its header has more than 255 characters");
     }
+}
+
+bool read_exr_version(HeaderReader& file) {
+    constexpr std::uint32_t kMagic = 20000630, kDeep = 0x800, kMultiPart = 0x1000;
+    const std::string magic = file.file_size() < 8 ? std::string(4, '\0') : file.bytes(4);
+    if (word(magic, 0) != kMagic) file.fail("is not an EXR file");
+    const std::uint32_t version = word(file.bytes(4), 0);
+    if ((version & 0xffu) != 2) {
+        file.fail("is an EXR of version " + std::to_string(version & 0xffu) + ", expected 2");
+    }
+    if (version & kDeep) file.fail("is a deep EXR, expected a flat one");
+    return (version & kMultiPart) != 0;
+}
+
+bool read_attribute(HeaderReader& file, RawAttribute& attribute) {
+    std::string name = file.name();
+    if (name.empty()) return false;
+    attribute.name = std::move(name);
+    attribute.type = file.name();
+    const std::uint32_t size = word(file.bytes(4), 0);
+    attribute.value_position = file.position();
+    attribute.value = file.bytes(size);
+    return true;
 }
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {

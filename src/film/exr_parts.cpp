@@ -74,7 +74,8 @@ Imf::Slice exr_slice(Imf::PixelType type, const void* values, std::size_t stride
                             stride_bytes * static_cast<std::size_t>(width));
 }
 
-void write_exr_parts(const std::filesystem::path& path, std::span<const ExrPart> parts, int threads) {
+void write_exr_parts(const std::filesystem::path& path, std::span<const ExrPart> parts, int threads,
+                     const std::function<void(const std::filesystem::path&)>& finish) {
     const int exr_threads = use_exr_threads(threads);
     AtomicFile file(path);
     try {
@@ -96,6 +97,7 @@ void write_exr_parts(const std::filesystem::path& path, std::span<const ExrPart>
     } catch (const std::exception& error) {
         throw IoError(path, std::string("cannot write: ") + error.what());
     }
+    if (finish) finish(file.temporary_path());
     file.commit();
 }
 

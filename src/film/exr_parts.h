@@ -34,8 +34,11 @@ void set_compression(Imf::Header& header, const ExrCompression& compression);
 [[nodiscard]] Imf::Slice exr_slice(Imf::PixelType type, const void* values, std::size_t stride_bytes,
                                    const Imf::Header& header, int first, int count);
 
-/// One part makes a plain file, several a multi-part one. `threads` as in ExrOptions.
-/// \throws IoError if it cannot be written, to the last byte; a file of that name is then left as it was.
-void write_exr_parts(const std::filesystem::path& path, std::span<const ExrPart> parts, int threads);
+/// One part makes a plain file, several a multi-part one. `threads` as in ExrOptions. `finish`, if any, gets the whole
+/// file under its temporary name, before it appears under its own.
+/// \throws IoError if it cannot be written, to the last byte; a file of that name is then left as it was. Likewise
+/// whatever `finish` throws.
+void write_exr_parts(const std::filesystem::path& path, std::span<const ExrPart> parts, int threads,
+                     const std::function<void(const std::filesystem::path&)>& finish = {});
 
 }  // namespace emulsion

@@ -16,6 +16,7 @@
 #include "core/parallel.h"
 #include "core/row_blocks.h"
 #include "film/exr_attributes.h"
+#include "film/exr_metadata.h"
 
 namespace emulsion {
 
@@ -68,9 +69,7 @@ Imf::Header make_header(const PictureView& picture, const FilmMetadata& metadata
     set_compression(header, options.compression);
     add_color(options, header);
     add_channels(picture, options, header);
-    for_each_metadata_field(metadata, [&](const char* name, const auto& value) {
-        header.insert(name, Imf::StringAttribute(attribute_text(value)));
-    });
+    write_metadata(metadata, header);
     return header;
 }
 

@@ -24,6 +24,8 @@
 #include "film/exr_file.h"
 #include "film/exr_header_check.h"
 #include "film/exr_layers.h"
+#include "film/exr_messages.h"
+#include "film/exr_metadata.h"
 #include "film/exr_threads.h"
 
 namespace emulsion {
@@ -98,16 +100,6 @@ double white_luminance_cdm2(const Imf::Header& header, std::vector<std::string>&
     return 1.0;
 }
 
-FilmMetadata metadata_of(const Imf::Header& header, std::vector<std::string>& notes) {
-    FilmMetadata metadata;
-    for_each_metadata_field(metadata, [&](const char* name, auto& value) {
-        const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
-        if (!attribute || parse_attribute(attribute->value(), value)) return;
-        notes.push_back(std::string(name) + " is \"" + attribute->value() + "\", expected a whole number: left out");
-    });
-    return metadata;
-}
-
 /// Where the picture lies in a frame that starts at (0, 0). OpenEXR keeps coordinates within 2^30, so that all fits.
 void place_in_frame(const Imf::Header& header, FilmPicture& picture) {
     const Imath::Box2i& data = header.dataWindow();
@@ -177,8 +169,9 @@ void order_spectral(const Imf::Header& header, std::vector<SpectralChannel>& spe
 
 void note_other_parts(const Imf::MultiPartInputFile& file, int chosen, std::vector<std::string>& notes) {
     for (int part = 0; part < file.parts(); ++part) {
-        if (part == chosen) continue;
         const Imf::Header& header = file.header(part);
+        // The sums of a film state are no picture.
+        if (part == chosen || header.findTypedAttribute<Imf::StringAttribute>(kFilmStateVersionAttribute)) continue;
         notes.push_back("part " + (header.hasName() ? "\"" + header.name() + "\"" : std::to_string(part)) +
                         " was left out");
     }
@@ -199,7 +192,7 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
     const auto space = space_of(header, names, image.notes);
     image.white_luminance_cdm2 = white_luminance_cdm2(header, image.notes);
     const ChannelDecoder decoder(space, image.white_luminance_cdm2);
-    image.metadata = metadata_of(header, image.notes);
+    image.metadata = read_metadata(header, image.notes);
 
     Imf::InputPart in(file, part);
     in.setFrameBuffer(places_of(header, names, image));
@@ -212,17 +205,6 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
     return image;
 }
 
-/// OpenEXR names the file in the middle of its messages, and may use several lines; ours has the name before it.
-std::string plain_reason(std::string message, const std::string& path) {
-    if (const auto at = message.find("\"" + path + "\". "); at != std::string::npos) {
-        message = "cannot read: " + message.substr(at + path.size() + 4);
-    }
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    }
-    return message;
-}
-
 }  // namespace
 
 FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& options) {
@@ -233,7 +215,7 @@ FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& opti
         Imf::MultiPartInputFile file(path.c_str(), exr_threads, kReconstructChunkTable);
         return read_checked(file, options);
     } catch (const std::exception& error) {
-        throw IoError(path, plain_reason(error.what(), path.string()));
+        throw IoError(path, exr_reason(error, path));
     }
 }
 

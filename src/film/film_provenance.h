@@ -22,11 +22,11 @@ struct PartialRound {
 struct FilmProvenance {
     /// Of all that is rendered: a hash of the scene, or whatever else tells scenes apart. Empty: unknown, and equal to
     /// nothing but itself.
-    std::string scene;
+    std::string scene = {};
     /// Of all that decides the samples of an index: sampler, seed, wavelengths, renderer and its version.
-    std::string sampling;
-    SampleRanges samples;                 ///< that every pixel of the film has
-    std::optional<PartialRound> partial;  ///< beyond `samples`
+    std::string sampling = {};
+    SampleRanges samples = {};                           ///< that every pixel of the film has
+    std::optional<PartialRound> partial = std::nullopt;  ///< beyond `samples`
     bool operator==(const FilmProvenance&) const = default;
 };
 

@@ -13,20 +13,24 @@ namespace emulsion {
 
 /// A film that was written, or is to be.
 struct FilmState {
-    /// Of a film that was read: all but the camera and the white balance of its sensor, which such a film is past
-    /// needing; sensor_text tells them.
+    /// All but the camera and the white balance of the sensor, which sums are past needing; sensor_text tells them. So
+    /// a film of these options shows the sums as they are, but must not be given more spectral samples: for that, make
+    /// one of the options that the samples are for (require_same_film()).
     FilmOptions options;
     std::string sensor_text;  ///< to_text(SensorOptions) of the film's own sensor
     FilmContents<ExactSums> contents;
     FilmProvenance provenance;
     FilmMetadata metadata;  ///< as in the picture's header
+    bool operator==(const FilmState&) const = default;
 };
 
-/// A consistent copy of a film, even while others merge into it.
-[[nodiscard]] FilmState state_of(const Film& film, FilmProvenance provenance, FilmMetadata metadata);
+/// A consistent copy of a film, even while others merge into it. Of `run`, seed, renderer and command line are kept;
+/// the rest of the metadata follows from the film (film/film_metadata.h).
+[[nodiscard]] FilmState state_of(const Film& film, FilmProvenance provenance, FilmMetadata run);
 
 /// Writes the picture and the sums. The file appears whole or not at all, and has a checksum over all of its bytes.
-/// options.white_luminance_cdm2 is taken from the film's sensor. \throws as write_exr.
+/// options.white_luminance_cdm2 is taken from the film's sensor. Sums are compressed as the picture is, if that loses
+/// nothing, else by the default. \throws as write_exr, and std::logic_error as picture_of.
 ExrWriteResult write_film_state(const std::filesystem::path& path, const FilmState& state,
                                 const ExrOptions& options = {});
 
@@ -34,10 +38,15 @@ ExrWriteResult write_film_state(const std::filesystem::path& path, const FilmSta
 /// off, or changed in any bit.
 [[nodiscard]] FilmState read_film_state(const std::filesystem::path& path);
 
-/// Whether the file says that it is a film state; its contents are not checked. \throws IoError if it can't be read.
+/// Whether the file says that it is a film state; its contents are not checked. \throws IoError if it is no EXR.
 [[nodiscard]] bool is_film_state(const std::filesystem::path& path);
 
-/// Adds `other` to `state`: sums, counts, sample ranges.
+/// That a film of these options, whose samples come from there, may go on from the state: size, crop window, filter and
+/// other options, sensor, scene and sampling are the same. Which samples there are doesn't matter here.
+/// \throws std::invalid_argument naming what differs, and both values.
+void require_same_film(const FilmState& state, const FilmOptions& options, const FilmProvenance& provenance);
+
+/// Adds `other` to `state`: sums, counts, sample ranges. The metadata's counts follow.
 /// \throws std::invalid_argument, before anything is added, if they do not belong together: size, crop window, filter
 /// or other options, sensor, scene or sampling differ, or ranges of samples overlap; and if either has a partial round,
 /// which would have to be rendered to its end first. The message says which, and both values.

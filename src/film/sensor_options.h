@@ -46,4 +46,9 @@ struct SensorOptions {
 /// by white_balance and by a target_illuminant. What only the fit of a camera shows, Sensor's constructor finds.
 void validate(const SensorOptions& options);
 
+/// All options in a line, for people and for files: "exposure-time=1 iso=100 observer=cie-1931-2deg white-balance=none
+/// camera=none". Sensors of the same text see the same: of a camera it has the name (of a file, without its folders)
+/// and a hash of its curves and its training.
+[[nodiscard]] std::string to_text(const SensorOptions& options);
+
 }  // namespace emulsion
