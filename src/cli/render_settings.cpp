@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/film_files.h"
 #include "cli/distinct_files.h"
+#include "cli/film_files.h"
 #include "cli/named_option.h"
 #include "cli/pipeline_options.h"
 #include "core/parameters.h"
@@ -278,8 +278,7 @@ void add_render_options(CLI::App& command, RenderSettings& settings) {
     add_layer_options(command, settings);
     add_state_options(command, settings);
     add_exr_options(command, settings);
-    command.add_flag("--quiet", settings.quiet,
-                     "No progress and no summary; warnings and errors only [default: both]");
+    command.add_flag("--quiet", settings.quiet, "No progress and no summary; warnings and errors only [default: both]");
     add_pipeline_options(command, settings.pipeline);
     command.final_callback([&settings] { check_together(settings); });
 }
@@ -314,9 +313,10 @@ RenderOptions render_options(const RenderSettings& settings, const Scene& scene)
     if (!settings.shard) return options;
     options.samples = samples_of(*settings.shard, options.samples_per_pixel);
     if (options.samples->size() > 0) return options;
-    throw std::runtime_error(fmt::format("--shard {}/{}: this share of {} samples per pixel is empty, expected at most "
-                                         "as many shares as samples",
-                                         settings.shard->number, settings.shard->count, options.samples_per_pixel));
+    throw std::runtime_error(
+        fmt::format("--shard {}/{}: this share of {} samples per pixel is empty, expected at most "
+                    "as many shares as samples",
+                    settings.shard->number, settings.shard->count, options.samples_per_pixel));
 }
 
 ExrOptions exr_options(const RenderSettings& settings, const Scene& scene) {
