@@ -143,22 +143,11 @@ void PathIntegrator<N>::trace_shadow_rays(std::span<Path<N>> paths) {
     shadows_.clear();
 }
 
-template <int N>
-void add_at(FilmTile& tile, float x_px, float y_px, const Path<N>& path) noexcept {
-    tile.add_at(x_px, y_px, path.wavelengths, path.radiance);
-}
-
 template class PathIntegrator<1>;
-template void add_at<1>(FilmTile&, float, float, const Path<1>&) noexcept;
 template class PathIntegrator<2>;
-template void add_at<2>(FilmTile&, float, float, const Path<2>&) noexcept;
 template class PathIntegrator<4>;
-template void add_at<4>(FilmTile&, float, float, const Path<4>&) noexcept;
 template class PathIntegrator<8>;
-template void add_at<8>(FilmTile&, float, float, const Path<8>&) noexcept;
 template class PathIntegrator<16>;
-template void add_at<16>(FilmTile&, float, float, const Path<16>&) noexcept;
 template class PathIntegrator<32>;
-template void add_at<32>(FilmTile&, float, float, const Path<32>&) noexcept;
 
 }  // namespace emulsion
