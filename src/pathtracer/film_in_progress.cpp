@@ -1,6 +1,7 @@
 #include "pathtracer/film_in_progress.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,18 +62,22 @@ FilmProvenance FilmInProgress::provenance() const {
 
 std::optional<RenderRound> FilmInProgress::next_round(SampleRange wanted) const {
     const std::lock_guard lock(mutex_);
-    if (const auto& partial = provenance_.partial) return RenderRound{partial->samples, partial->tile_px};
+    RenderRound round;
+    if (const auto& partial = provenance_.partial) {
+        round = {partial->samples, partial->tile_px, {}};
+        for (std::size_t i = 0; i < partial->done.size(); ++i) {
+            if (partial->done[i] == 0) round.tiles.push_back(i);
+        }
+        return round;
+    }
     const std::vector<SampleRange> missing = provenance_.samples.missing(wanted);
     if (missing.empty()) return std::nullopt;
     const SampleRange& first = missing.front();
     const std::uint64_t size = std::clamp(provenance_.samples.count(), std::uint64_t{1}, kSamplesPerRound);
-    return RenderRound{{first.begin, std::min(first.begin + size, first.end)}, kTileSize_px};
-}
-
-bool FilmInProgress::has_tile(const RenderRound& round, std::size_t tile) const {
-    const std::lock_guard lock(mutex_);
-    const auto& partial = provenance_.partial;
-    return partial && partial->samples == round.samples && partial->done.at(tile) != 0;
+    round = {{first.begin, std::min(first.begin + size, first.end)}, kTileSize_px, {}};
+    round.tiles.resize(tile_count(film_.sample_bounds(), round.tile_px));
+    std::iota(round.tiles.begin(), round.tiles.end(), std::size_t{0});
+    return round;
 }
 
 void FilmInProgress::merge(const FilmTile& samples, const RenderRound& round, std::size_t tile) {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/image.h"
 #include "film/film.h"
@@ -19,6 +20,7 @@ namespace emulsion {
 struct RenderRound {
     SampleRange samples;
     int tile_px = 0;
+    std::vector<std::size_t> tiles;  ///< that are missing
     bool operator==(const RenderRound&) const = default;
 };
 
@@ -46,9 +48,8 @@ class FilmInProgress {
     /// first samples that are missing, as many as there are already, from 1 to 16. So a picture is soon whole, if
     /// noisy. None if nothing is missing.
     [[nodiscard]] std::optional<RenderRound> next_round(SampleRange wanted) const;
-    /// Whether the film has this tile's samples of a round of next_round().
-    [[nodiscard]] bool has_tile(const RenderRound& round, std::size_t tile) const;
-    /// Adds the samples of a tile of that round, and notes that it is done; with the last one, that the round is.
+    /// Adds the samples of a missing tile of that round, and notes that it is done; with the last one, that the round
+    /// is.
     void merge(const FilmTile& samples, const RenderRound& round, std::size_t tile);
 
     /// Paths to trace until the film has all samples of `wanted`: in all pixels of the film's sample bounds.

@@ -120,10 +120,9 @@ void render_with(const PreparedScene& scene, const RenderOptions& options, FilmI
     const TileRenderer<N> renderer(scene, options, film.film());
     const PixelBounds places = film.film().sample_bounds();
     while (const auto round = progress.stop ? std::nullopt : film.next_round(samples_of(options))) {
-        const auto tiles = static_cast<int>(tile_count(places, round->tile_px));
-        parallel_for(0, tiles, options.threads, [&](int i) {
-            const auto tile = static_cast<std::size_t>(i);
-            if (progress.stop.load(std::memory_order_relaxed) || film.has_tile(*round, tile)) return;
+        parallel_for(0, static_cast<int>(round->tiles.size()), options.threads, [&](int i) {
+            if (progress.stop.load(std::memory_order_relaxed)) return;
+            const std::size_t tile = round->tiles[static_cast<std::size_t>(i)];
             const PixelBounds bounds = tile_bounds(places, round->tile_px, tile);
             film.merge(renderer.render_tile(bounds, round->samples), *round, tile);
             progress.samples_done += static_cast<std::int64_t>(bounds.width()) * bounds.height() *

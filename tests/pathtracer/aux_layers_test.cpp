@@ -35,9 +35,9 @@ float value(const FilmPicture& picture, const std::string& name, int x) {
     return 0.0f;
 }
 
-// The left pixel sees the floor, the one in the middle half of it, the right one nothing: values are means over what is
-// seen. The floor's colour is that of its RGB, to the 2e-3 by which uplifted reflectances may miss it; the angle of
-// 5e-5 lengthens rays by 1e-9 of themselves.
+// The right pixel sees the floor (x runs to the left), the middle one half of it, the left one nothing: values are
+// means over what is seen. The floor's colour is that of its RGB, to the 2e-3 by which uplifted reflectances may miss
+// it; the angle of 5e-5 lengthens rays by 1e-9 of themselves.
 TEST(AuxLayers, ShowTheFirstSurface) {
     for (const FilterUse use : {FilterUse::importance_sampled, FilterUse::splatted}) {
         Scene scene = half_floor();
@@ -50,7 +50,7 @@ TEST(AuxLayers, ShowTheFirstSurface) {
         RenderProgress progress;
         render(prepared, {.samples_per_pixel = 16, .threads = 1}, film, progress);
         const FilmPicture picture = picture_of(film);
-        const int floor = 0, nothing = 2;
+        const int floor = 2, nothing = 0;
         for (const int x : {floor, 1}) {
             EXPECT_NEAR(value(picture, "albedo.R", x), 0.7, 2e-3);
             EXPECT_NEAR(value(picture, "albedo.G", x), 0.4, 2e-3);

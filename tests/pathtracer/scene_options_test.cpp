@@ -56,11 +56,11 @@ TEST(SceneOptions, CropWindowsInPartsOfTheFrameAndInPixels) {
 
     EXPECT_EQ(
         error_of(film + R"("float cropwindow" [0.5 0.5 0 1])"),
-        "t.pbrt:1:84: found a crop window of 0.5 0.5 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to 1");
+        "t.pbrt:1:83: found a crop window of 0.5 0.5 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to 1");
     EXPECT_THAT(error_of(film + R"("float cropwindow" [0 1.5 0 1])"),
                 ::testing::HasSubstr("a crop window of 0 1.5 0 1"));
     EXPECT_EQ(error_of(film + R"("integer pixelbounds" [0 101 0 1])"),
-              "t.pbrt:1:87: found pixel bounds of 0 101 0 1, expected x0 < x1 <= 100 and y0 < y1 <= 50, in this order");
+              "t.pbrt:1:86: found pixel bounds of 0 101 0 1, expected x0 < x1 <= 100 and y0 < y1 <= 50, in this order");
     EXPECT_THAT(error_of(film + R"("integer pixelbounds" [0 1 0 1] "float cropwindow" [0 1 0 1])"),
                 ::testing::HasSubstr("found \"pixelbounds\" beside \"cropwindow\", expected one of the two"));
 }
