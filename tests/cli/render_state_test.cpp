@@ -54,7 +54,7 @@ class RenderState : public ::testing::Test {
 
 // Kills at moments spread over the run; whatever was lost, the end is that of a run that nobody killed.
 TEST_F(RenderState, KilledAgainAndAgainItEndsWithTheSameBytes) {
-    const std::vector<std::string> common{"--spp",      "192", "--splat", "--aov",      "albedo,depth",
+    const std::vector<std::string> common{"--spp",      "64",  "--splat", "--aov",      "albedo,depth",
                                           "--variance", "xyz", "--quiet", "--spectrum", "3"};
     const auto arguments = [&](const std::string& name, std::vector<std::string> more) {
         more.insert(more.end(), common.begin(), common.end());
