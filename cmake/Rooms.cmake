@@ -30,7 +30,7 @@ function(emulsion_test_room name)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} emulsion_test_support GTest::gmock_main)
   target_compile_definitions(test_${name} PRIVATE
-    EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EMULSION_PROGRAM="$<TARGET_FILE:emulsion>")
+    EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT 600 ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
 endfunction()

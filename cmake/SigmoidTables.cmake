@@ -65,6 +65,6 @@ std::span<const float> embedded_sigmoid_tables() noexcept {
   set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${tables})
   add_library(emulsion_sigmoid_tables STATIC ${source})
   target_include_directories(emulsion_sigmoid_tables PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(emulsion_sigmoid_tables PRIVATE emulsion_settings_unsanitized)
+  target_link_libraries(emulsion_sigmoid_tables PRIVATE $<BUILD_INTERFACE:emulsion_settings_unsanitized>)
   target_link_libraries(${target} INTERFACE emulsion_sigmoid_tables)
 endfunction()

@@ -96,6 +96,25 @@ void fast4(benchmark::State& state, const SensorOptions& options) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
 }
 
+/// The same where the number of wavelengths is not known to the compiler.
+void spans4(benchmark::State& state) {
+    const Sensor sensor;
+    for (const auto& [wavelengths, radiance] : samples()) {
+        if (sensor.sense(wavelengths.lambda_nm, radiance.value, wavelengths.pdf).xyz !=
+            sensor.to_xyz(wavelengths, radiance)) {
+            return state.SkipWithError("differs from that of four wavelengths");
+        }
+    }
+    for (auto _ : state) {
+        XYZ sum;
+        for (const auto& [wavelengths, radiance] : samples()) {
+            sum = sum + sensor.sense(wavelengths.lambda_nm, radiance.value, wavelengths.pdf).xyz;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSamples));
+}
+
 /// What making a sensor costs, once a film.
 void make(benchmark::State& state, const SensorOptions& options) {
     for (auto _ : state) benchmark::DoNotOptimize(Sensor(options));
@@ -106,6 +125,7 @@ void nine_times(benchmark::internal::Benchmark* benchmark) { benchmark->Repetiti
 
 BENCHMARK(reference4)->Apply(nine_times);
 BENCHMARK_CAPTURE(fast4, default_1931, kDefault)->Apply(nine_times);
+BENCHMARK(spans4)->Apply(nine_times);
 BENCHMARK_CAPTURE(fast4, observer_1964, kObserver1964)->Apply(nine_times);
 BENCHMARK_CAPTURE(fast4, white_balanced, kBalanced)->Apply(nine_times);
 BENCHMARK_CAPTURE(fast4, camera, kCamera)->Apply(nine_times);

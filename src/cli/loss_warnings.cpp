@@ -20,9 +20,9 @@ std::string kinds_text(const DroppedSamples& dropped) {
 
 }  // namespace
 
-void warn_of_losses(const Film& film) {
-    const DroppedSamples dropped = film.dropped();
-    const std::uint64_t kept = film.sample_count();
+void warn_of_losses(const FilmContents<ExactSums>& contents) {
+    const DroppedSamples& dropped = contents.counts.dropped;
+    const std::uint64_t kept = contents.counts.samples;
     if (dropped.count() > 0) {
         for (const DroppedSample& sample : dropped.first()) print_warning(to_string(sample));
         if (kept == 0) {
@@ -32,15 +32,19 @@ void warn_of_losses(const Film& film) {
         print_warning(fmt::format("{} of {} samples were bad and kept out: {}", dropped.count(), dropped.count() + kept,
                                   kinds_text(dropped)));
     }
-    if (const auto count = film.pixels_without_value(); count > 0) {
+    if (const auto count = pixels_without_value(contents); count > 0) {
         print_warning(
             fmt::format("{} of {} pixels have no value and are 0: no good samples, or filter weights that cancel; more "
                         "samples help",
-                        count, static_cast<std::int64_t>(film.bounds().width()) * film.bounds().height()));
+                        count, contents.pixels.size()));
     }
-    if (const auto count = film.saturated_pixels(); count > 0) {
+    if (const auto count = saturated_pixels(contents); count > 0) {
         print_warning(fmt::format("{} pixels have left the range of the film's sums", count));
     }
+}
+
+void warn_of_losses(const Film& film) {
+    film.with_contents([](const FilmContents<ExactSums>& contents) { warn_of_losses(contents); });
 }
 
 std::vector<std::string> exr_losses(const ExrWriteResult& written, PixelType pixel_type) {

@@ -14,6 +14,7 @@ namespace emulsion::cli {
 /// \throws std::runtime_error if there are samples, and all were kept out: the picture would be black, whatever the
 /// scene.
 void warn_of_losses(const Film& film);
+void warn_of_losses(const FilmContents<ExactSums>& contents);
 
 /// What to say of channel values that the file could not hold as they were, one sentence each.
 [[nodiscard]] std::vector<std::string> exr_losses(const ExrWriteResult& written, PixelType pixel_type);

@@ -1,24 +1,30 @@
 // The `emulsion` program: picks the subcommand, and turns what goes wrong into one line and an exit code.
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 
 #include "cli/color_command.h"
 #include "cli/develop_command.h"
+#include "cli/info_command.h"
+#include "cli/merge_command.h"
 #include "cli/messages.h"
 #include "cli/render_command.h"
 
 namespace {
 
-using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::RenderCommand;
+using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::InfoCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
+using emulsion::cli::MergeCommand, emulsion::cli::RenderCommand;
 
 /// The command as it could be typed again: words with anything special in them in single quotes.
 std::string command_line_text(int argc, char** argv) {
@@ -59,6 +65,8 @@ int run(int argc, char** argv) {
     program.get_formatter()->column_width(30);
     const RenderCommand render(program);
     const DevelopCommand develop(program);
+    const MergeCommand merge(program);
+    const InfoCommand info(program);
     const ColorCommand color(program);
     try {
         program.parse(argc, argv);
@@ -67,12 +75,16 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         // CLI11 would only miss a subcommand, and not say what it found in its place.
         const std::string first = argc > 1 ? argv[1] : "-";
-        const bool unknown = first.front() != '-' && first != "render" && first != "develop" && first != "color";
-        print_error(unknown ? "found the subcommand \"" + first + "\", expected render, develop or color"
+        constexpr std::array<std::string_view, 5> kCommands = {"render", "develop", "merge", "info", "color"};
+        const bool unknown =
+            first.front() != '-' && std::find(kCommands.begin(), kCommands.end(), first) == kCommands.end();
+        print_error(unknown ? "found the subcommand \"" + first + "\", expected render, develop, merge, info or color"
                             : error.what());
         return kBadUsage;
     }
     if (color.chosen()) return color.run();
+    if (info.chosen()) return info.run();
+    if (merge.chosen()) return merge.run(command_line_text(argc, argv));
     return render.chosen() ? render.run(command_line_text(argc, argv)) : develop.run();
 }
 

@@ -128,13 +128,6 @@ std::string is_whole_number(const std::string& text) {
     return "found \"" + text + "\", expected a whole number from 0 to 18446744073709551615";
 }
 
-/// Empty if the name is right, else what is wrong with it.
-std::string ends_in_exr(const std::string& name) {
-    const std::string extension = std::filesystem::path(name).extension();
-    if (extension == ".exr" || extension == ".EXR") return {};
-    return "found \"" + name + "\", expected a name ending in .exr (--png writes a PNG)";
-}
-
 /// A flag whose text `parse` turns into `target`.
 template <class Target, class Parse>
 CLI::Option* add_parsed(CLI::App& command, const char* flag, Target& target, Parse parse, const std::string& help,
@@ -237,24 +230,6 @@ void add_state_options(CLI::App& command, RenderSettings& settings) {
                "Only share I of N of the samples; the output must be a .film.exr [default: all]", "I/N");
 }
 
-void add_exr_options(CLI::App& command, RenderSettings& settings) {
-    CLI::Option* space =
-        command
-            .add_option_function<std::string>(
-                "--space",
-                [&settings](const std::string& name) {
-                    settings.exr.space = name;
-                    check_option("--space", settings.exr);
-                },
-                fmt::format("Channels of the EXR: XYZ, or linear R G B of a space [default: {}]; one of\n  {}",
-                            settings.exr.space, fmt::join(exr_space_names(), ", ")))
-            ->option_text("NAME");
-    command.add_flag("--rgb", settings.rgb, "Short for --space sRGB: linear, with the primaries of Rec. 709")
-        ->excludes(space);
-    add_named_option(command, "--compression", "compression", settings.exr.compression, "Compression of the EXR");
-    command.add_flag("--half", settings.half, "Write 16-bit floats into the EXR [default: 32-bit ones]");
-}
-
 void check_together(const RenderSettings& settings) {
     require_distinct({{"SCENE", settings.scene}, {"--output", settings.output}, {"--png", settings.png}});
     if (settings.shard && !is_state_name(settings.output)) {
@@ -277,7 +252,7 @@ void add_render_options(CLI::App& command, RenderSettings& settings) {
     add_film_options(command, settings);
     add_layer_options(command, settings);
     add_state_options(command, settings);
-    add_exr_options(command, settings);
+    add_exr_options(command, settings.exr);
     command.add_flag("--quiet", settings.quiet, "No progress and no summary; warnings and errors only [default: both]");
     add_pipeline_options(command, settings.pipeline);
     command.final_callback([&settings] { check_together(settings); });
@@ -320,10 +295,7 @@ RenderOptions render_options(const RenderSettings& settings, const Scene& scene)
 }
 
 ExrOptions exr_options(const RenderSettings& settings, const Scene& scene) {
-    ExrOptions options = settings.exr;
-    if (settings.rgb) options.space = "sRGB";
-    options.pixel_type = settings.half ? PixelType::half : scene.film.pixel_type;
-    options.threads = settings.threads;
+    ExrOptions options = exr_options(settings.exr, scene.film.pixel_type, settings.threads);
     options.white_luminance_cdm2 = white_luminance_cdm2(scene.film.sensor);
     return options;
 }

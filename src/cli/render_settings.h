@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/exr_output_options.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
 #include "film/exr_file.h"
@@ -53,8 +54,8 @@ struct RenderSettings {
     std::optional<double> checkpoint_s;  ///< > 0
     bool resume = false;
 
-    ExrOptions exr;
-    bool rgb = false, half = false, quiet = false;
+    ExrOutput exr;
+    bool quiet = false;
     Pipeline pipeline;
 };
 

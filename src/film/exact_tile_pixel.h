@@ -3,13 +3,21 @@
 //
 // A term v is split without error: `high` is the nearest multiple of 2^-9 (ties to even), and `low` the rest, rounded
 // to the nearest multiple of the film's resolution. Each is a whole number of units in the lowest bits of a double that
-// has a constant added to it, so that sums of those bits are sums of 64-bit integers: two additions, two subtractions
-// and two integer additions, for two channels at a time. The sum of both is what ExactSum(v) would be.
+// has a constant added to it, so that sums of those bits are sums of 64-bit integers: three additions of doubles and
+// two of integers, for two channels at a time. The sum of both is what ExactSum(v) would be.
+//
+// The bits of the constants are summed up as well, and taken off together, later. How many there are is counted in
+// place of the low part of the weight, which needs none: it is rounded to ExactWeightSum's resolution at once.
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "core/color.h"
 #include "film/exact_sum.h"
+#include "film/vectors.h"
 #include "film/weighted_sums.h"
 
 namespace emulsion {
@@ -17,83 +25,86 @@ namespace emulsion {
 class ExactTilePixel {
   public:
     /// So many calls of add() may come between two of carry().
-    static constexpr std::uint32_t kAddsPerCarry = 1u << 28;
+    static constexpr std::uint32_t kAddsPerCarry = 1u << 24;
 
     /// Adds weight * XYZ and the weight, each rounded once, to the nearest multiple of ExactSum's and ExactWeightSum's
     /// resolution; the sums are exact. If a number is NaN or infinite it does nothing and returns false.
     bool add(double x, double y, double z, double weight) noexcept {
-        const Two xy = {weight * x, weight * y}, zw = {weight * z, weight};
-        const Two size = magnitude(xy) + magnitude(zw);
-        if (!(size[0] + size[1] < kQuickLimit)) [[unlikely]]
+        const Double2 weights = {weight, weight}, xy = weights * Double2{x, y}, zw = weights * Double2{z, 1.0};
+        const Double2 top_xy = xy + kTopXy, top_zw = zw + kTopZw;
+        if (!are_quick(top_xy, top_zw)) [[unlikely]]
             return add_large({xy[0], xy[1], zw[0], zw[1]});
-        const Parts first = split(xy, Two{kXyzRest, kXyzRest}), second = split(zw, Two{kXyzRest, kWeightRest});
-        high_xy_ += first.high;
-        high_zw_ += second.high;
-        low_xy_ += first.low;
-        low_zw_ += second.low;
+        high_xy_ += bits(top_xy);
+        high_zw_ += bits(top_zw);
+        low_xy_ += bits((kTopXy + kRestXy - top_xy) + xy);
+        low_zc_ += bits((kTopZw + kRestZc - top_zw) + zw);
         return true;
     }
+
+    /// add(x, y, z, x_weights[i] * y_weights[j]) to pixel i of row j, for all weights. Rows are `stride` pixels apart;
+    /// XYZ and weights must be finite.
+    static void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                          std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
     /// Moves what the low parts have gathered into the high ones; the sums stay what they are.
     void carry() noexcept;
 
     // In units of ExactSum's resolution, and of ExactWeightSum's; perhaps beyond their ranges.
-    [[nodiscard]] Int128 x_units() const noexcept { return units<ExactSum>(high_xy_[0], low_xy_[0]); }
-    [[nodiscard]] Int128 y_units() const noexcept { return units<ExactSum>(high_xy_[1], low_xy_[1]); }
-    [[nodiscard]] Int128 z_units() const noexcept { return units<ExactSum>(high_zw_[0], low_zw_[0]); }
-    [[nodiscard]] Int128 weight_units() const noexcept { return units<ExactWeightSum>(high_zw_[1], low_zw_[1]); }
-    [[nodiscard]] WeightedSums sums() const noexcept {
-        return {{value<ExactSum>(x_units()), value<ExactSum>(y_units()), value<ExactSum>(z_units())},
-                value<ExactWeightSum>(weight_units())};
-    }
+    [[nodiscard]] Int128 x_units() const noexcept { return xyz_units(0); }
+    [[nodiscard]] Int128 y_units() const noexcept { return xyz_units(1); }
+    [[nodiscard]] Int128 z_units() const noexcept { return xyz_units(2); }
+    [[nodiscard]] Int128 weight_units() const noexcept;
+    [[nodiscard]] WeightedSums sums() const noexcept;
 
   private:
-    using Two [[gnu::vector_size(16)]] = double;
-    using Ints [[gnu::vector_size(16)]] = std::int64_t;
-    struct Parts {
-        Ints high, low;  // in units of 2^-9, and of the resolution
-    };
-
     // Doubles in [2^n, 2^(n + 1)) are multiples of 2^(n - 52); 1.5 * 2^n leaves room for 2^(n - 1) on both sides.
     static constexpr int kHighFractionBits = 9;
-    static constexpr double kTop = 0x1.8p43;         // 52 - kHighFractionBits
-    static constexpr double kXyzRest = 0x1.8p8;      // 52 - ExactSum::kFractionBits
-    static constexpr double kWeightRest = 0x1.8p22;  // 52 - ExactWeightSum::kFractionBits
+    static constexpr double kTop = 0x1.8p43;        // 52 - kHighFractionBits
+    static constexpr double kRest = 0x1.8p8;        // 52 - ExactSum::kFractionBits
+    static constexpr double kWeightTop = 0x1.8p22;  // 52 - ExactWeightSum::kFractionBits
     static_assert(ExactSum::kFractionBits == 52 - 8 && ExactWeightSum::kFractionBits == 52 - 22);
-    // Larger terms are added one by one. kAddsPerCarry high parts of quick terms add up to no more than 2^61 units, and
-    // as many low parts, of up to 2^34 units each, to no more than 2^62: neither leaves 64 bits, from a high part of
-    // up to 2^62 + 2^61 and a low one of up to 2^35.
-    static constexpr double kQuickLimit = 0x1p24;
+    // Any weight is lost in it, and its bits are 1 above a multiple of 2^52: their sum counts.
+    static constexpr double kOne = 0x1.0000000000001p59;
 
-    [[nodiscard]] static Ints bits(Two numbers) noexcept { return reinterpret_cast<Ints>(numbers); }
-    [[nodiscard]] static Two magnitude(Two numbers) noexcept {
-        constexpr std::int64_t kAllButSign = INT64_MAX;
-        return reinterpret_cast<Two>(bits(numbers) & Ints{kAllButSign, kAllButSign});
+    static constexpr Double2 kTopXy = {kTop, kTop}, kTopZw = {kTop, kWeightTop};
+    static constexpr Double2 kRestXy = {kRest, kRest}, kRestZc = {kRest, kOne};
+
+    // Larger terms, from 2^27 and weights from 64 on, are added one by one. In kAddsPerCarry quick terms, of up to 2^36
+    // units of the high part each, those add up to no more than 2^60 units, and the low parts, of up to 2^34 units
+    // each, to no more than 2^58: neither leaves 64 bits, from a high part of up to 2^62 + 2^61 and a low one of 2^35.
+    static constexpr int kQuickUnitsBits = 36;
+
+    [[nodiscard]] static Uint2 bits(Double2 numbers) noexcept { return std::bit_cast<Uint2>(numbers); }
+
+    /// The upper half of the double that `top` and the least quick high part add up to.
+    [[nodiscard]] static constexpr std::uint32_t least_upper(double top) noexcept {
+        return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(top) >> 32) - (1u << (kQuickUnitsBits - 32));
     }
-    [[nodiscard]] static Parts split(Two terms, Two rest) noexcept {
-        constexpr Two kTops = {kTop, kTop};
-        const Two top = terms + kTops;
-        const Two low = (terms - (top - kTops)) + rest;
-        return {bits(top) - bits(kTops), bits(low) - bits(rest)};
+    /// Whether all high parts are in [-2^kQuickUnitsBits, 2^kQuickUnitsBits), by the upper halves of those doubles;
+    /// not so for NaN and infinities.
+    [[nodiscard]] static bool are_quick(Double2 top_xy, Double2 top_zw) noexcept {
+        constexpr Uint4 kLeast = {least_upper(kTop), least_upper(kTop), least_upper(kTop), least_upper(kWeightTop)};
+        constexpr std::uint32_t kBeyond = ~((2u << (kQuickUnitsBits - 32)) - 1u);
+        const Uint4 upper =
+            __builtin_shufflevector(std::bit_cast<Uint4>(top_xy), std::bit_cast<Uint4>(top_zw), 1, 3, 5, 7);
+        return are_disjoint(upper - kLeast, Uint4{kBeyond, kBeyond, kBeyond, kBeyond});
     }
 
-    template <class Sum>
-    [[nodiscard]] static Int128 units(std::int64_t high, std::int64_t low) noexcept {
-        return (static_cast<Int128>(high) << (Sum::kFractionBits - kHighFractionBits)) + low;
-    }
-    template <class Sum>
-    [[nodiscard]] static double value(Int128 units) noexcept {
-        return Sum::from_units(units).value();
-    }
+    struct Plain;
+    /// The sums without the constants' bits.
+    [[nodiscard]] Plain plain() const noexcept;
+    void store(const Plain& plain) noexcept;
+    [[nodiscard]] Int128 xyz_units(std::size_t channel) const noexcept;
+
+    /// add_block() on processors with AVX2: X, Y, Z and the weight in one register. The same bits.
+    static void add_block_avx2(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                               std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
     /// The same as add() for terms of any size.
     bool add_large(const std::array<double, 4>& terms) noexcept;
 
-    /// Calls visit(high, low, channel, ExactSum{} or ExactWeightSum{}) for the four sums, which it may change.
-    template <class Visit>
-    void for_each_channel(const Visit& visit) noexcept;
-
-    Ints high_xy_{}, high_zw_{}, low_xy_{}, low_zw_{};
+    // By channel: x and y, z and the weight; of the low parts, z and a count of the quick terms.
+    Uint2 high_xy_{}, high_zw_{}, low_xy_{}, low_zc_{};
 };
 
 }  // namespace emulsion

@@ -36,7 +36,7 @@ struct FilmMetadata {
     /// Samples kept out of the film, by kind (film/dropped_samples.h).
     std::uint64_t dropped_nan_count = 0;                 ///< "emulsion.droppedNanCount"
     std::uint64_t dropped_infinite_count = 0;            ///< "emulsion.droppedInfiniteCount"
-    std::uint64_t dropped_negative_luminance_count = 0;  ///< "emulsion.droppedNegativeLuminanceCount"
+    std::uint64_t dropped_negative_luminance_count = 0;  ///< "emulsion.droppedNegativeCount"
     std::uint64_t seed = 0;                              ///< "emulsion.seed"
     std::string renderer_version = {};                   ///< "emulsion.rendererVersion"
     std::string command_line = {};                       ///< "emulsion.commandLine"

@@ -99,8 +99,8 @@ void check_part(const HeaderReader& file, const HeaderFacts& facts) {
 double least_bytes(const HeaderFacts& facts) {
     double pixels = 0.0;
     for (const ChannelFacts& channel : facts.channels) {
-        pixels += static_cast<double>(channel.bytes) * static_cast<double>(facts.width / channel.x_sampling) *
-                  static_cast<double>(facts.height / channel.y_sampling);
+        const std::int64_t columns = facts.width / channel.x_sampling, rows = facts.height / channel.y_sampling;
+        pixels += static_cast<double>(channel.bytes) * static_cast<double>(columns) * static_cast<double>(rows);
     }
     constexpr std::int64_t kMostRows = 256;  // in a chunk of any compression
     double chunks = static_cast<double>(facts.height) / static_cast<double>(kMostRows);

@@ -103,9 +103,7 @@ bool is_always_float(std::string_view channel) {
 }
 
 std::string spectral_channel_name(double centre_nm) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.begin(), digits.end(), centre_nm, std::chars_format::fixed, 3).ptr;
-    std::string number(digits.begin(), end);
+    std::string number = fmt::format("{:.3f}", centre_nm);  // with a point whatever the locale
     std::replace(number.begin(), number.end(), '.', ',');
     return "S0." + number + "nm";
 }

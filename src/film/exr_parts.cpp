@@ -16,6 +16,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/named_value.h"
 #include "film/exr_stream.h"
 #include "film/exr_threads.h"
 
@@ -60,6 +61,14 @@ void set_compression(Imf::Header& header, const ExrCompression& compression) {
             if constexpr (requires { chosen.level; }) header.dwaCompressionLevel() = static_cast<float>(chosen.level);
         },
         compression);
+}
+
+std::string_view compression_name(const Imf::Header& header) {
+    const std::vector<std::string_view> names = names_of<ExrCompression>();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (kCompressions[i].compression == header.compression()) return names[i];
+    }
+    return "unknown";
 }
 
 int rows_per_chunk(const ExrCompression& compression) noexcept {

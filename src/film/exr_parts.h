@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string_view>
 
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -25,6 +26,9 @@ struct ExrPart {
 
 /// Sets the compression of a header.
 void set_compression(Imf::Header& header, const ExrCompression& compression);
+
+/// The name of a header's compression among ExrCompression.
+[[nodiscard]] std::string_view compression_name(const Imf::Header& header);
 
 /// Rows that are compressed together.
 [[nodiscard]] int rows_per_chunk(const ExrCompression& compression) noexcept;

@@ -139,26 +139,22 @@ Imf::FrameBuffer PicturePart::rows(int first, int count) {
 
 void PicturePart::insert_picture(int first, int count, Imf::FrameBuffer& rows) {
     const auto space = space_as_stored(options_.space);
-    const auto insert = [&](const auto* pixels, const auto* a, const auto* b, const auto* c) {
-        const std::array<const void*, 3> values = {a, b, c};
-        for (std::size_t i = 0; i < 3; ++i) {
-            rows.insert(channel_names(space)[i],
-                        exr_slice(stored_type(options_), values[i], sizeof(*pixels), header_, first, count));
+    const auto insert = [&](const auto* values) {  // three to a pixel
+        for (const char* name : channel_names(space)) {
+            rows.insert(name, exr_slice(stored_type(options_), values++, 3 * sizeof(*values), header_, first, count));
         }
     };
     if (options_.pixel_type == PixelType::half) {
         encode_picture(first, count, half_band_);
-        const auto* pixels = half_band_.data();
-        insert(pixels, &(*pixels)[0], &(*pixels)[1], &(*pixels)[2]);
+        insert(half_band_.front().data());
     } else if (space) {
         encode_picture(first, count, float_band_);
-        const auto* pixels = float_band_.data();
-        insert(pixels, &(*pixels)[0], &(*pixels)[1], &(*pixels)[2]);
+        insert(float_band_.front().data());
     } else {
         for_rows(picture_, first, count, options_.threads, result_,
                  [&](int y, ExrWriteResult& result) { result.non_finite_count = non_finite(picture_.xyz.row(y)); });
-        const XYZ* pixels = picture_.xyz.row(first).data();
-        insert(pixels, &pixels->x, &pixels->y, &pixels->z);
+        static_assert(sizeof(XYZ) == 3 * sizeof(float));
+        insert(&picture_.xyz.row(first).front().x);
     }
 }
 

@@ -12,7 +12,8 @@ namespace emulsion {
 
 namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18u;
-}
+constexpr std::size_t kWorthNoCopy = std::size_t{1} << 15u;
+}  // namespace
 
 CheckedOStream::CheckedOStream(const std::filesystem::path& file, std::filesystem::path named)
     : Imf::OStream(named.c_str()), named_(std::move(named)), descriptor_(::open(file.c_str(), O_WRONLY | O_CLOEXEC)) {
@@ -26,8 +27,8 @@ CheckedOStream::~CheckedOStream() {
 
 void CheckedOStream::write(const char* bytes, int count) {
     const auto size = static_cast<std::size_t>(count);
-    if (buffer_.size() + size > kBufferBytes) flush();
-    if (size >= kBufferBytes) {
+    if (size >= kWorthNoCopy || buffer_.size() + size > kBufferBytes) flush();
+    if (size >= kWorthNoCopy) {
         write_all(bytes, size);
     } else {
         buffer_.insert(buffer_.end(), bytes, bytes + size);

@@ -25,7 +25,7 @@ BasicFilm<Sums>::BasicFilm(const FilmOptions& options)
 template <class Sums>
 BasicFilm<Sums>::BasicFilm(const FilmOptions& options, FilmContents<Sums> contents)
     : setup_(std::make_shared<const FilmSetup>(options)), contents_(std::move(contents)) {
-    require_size(contents_, *setup_);
+    require_size(contents_, options);
 }
 
 template <class Sums>

@@ -26,10 +26,11 @@ FilmContents<Sums> empty_contents(const FilmSetup& setup) {
 }
 
 template <class Sums>
-void require_size(const FilmContents<Sums>& contents, const FilmSetup& setup) {
-    const std::size_t pixels = pixel_count(setup.bounds);
-    const std::size_t sums = pixels * static_cast<std::size_t>(setup.channels.sums);
-    const bool fits = contents.pixels.size() == pixels && contents.channels.layout() == setup.channels &&
+void require_size(const FilmContents<Sums>& contents, const FilmOptions& options) {
+    const FilmChannels channels(options);
+    const std::size_t pixels = pixel_count(bounds_of(options));
+    const std::size_t sums = pixels * static_cast<std::size_t>(channels.sums);
+    const bool fits = contents.pixels.size() == pixels && contents.channels.layout() == channels &&
                       contents.channels.all_sums().size() == sums;
     if (fits) return;
     throw std::invalid_argument("film: contents of " + std::to_string(contents.pixels.size()) + " pixels with " +
@@ -93,7 +94,7 @@ std::uint64_t max_samples_per_pixel(const FilmContents<Sums>& contents) {
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): a list of instantiations
 #define EMULSION_INSTANTIATE(Sums)                                                \
     template FilmContents<Sums> empty_contents(const FilmSetup&);                 \
-    template void require_size(const FilmContents<Sums>&, const FilmSetup&);      \
+    template void require_size(const FilmContents<Sums>&, const FilmOptions&);    \
     template void merge(FilmContents<Sums>&, const FilmContents<Sums>&) noexcept; \
     template Image<XYZ> xyz_image(const FilmContents<Sums>&, const FilmSetup&);   \
     template std::int64_t pixels_without_value(const FilmContents<Sums>&);        \

@@ -30,7 +30,7 @@ template <class Sums>
 
 /// \throws std::invalid_argument unless they have the pixels and the sums of such a film.
 template <class Sums>
-void require_size(const FilmContents<Sums>& contents, const FilmSetup& setup);
+void require_size(const FilmContents<Sums>& contents, const FilmOptions& options);
 
 /// Adds what another film of the same options has gathered; both must have its size.
 template <class Sums>

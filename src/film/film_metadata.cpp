@@ -19,19 +19,22 @@ struct MeanLuminance {
     double controlled_cdm2 = 0.0;  ///< of what is done with them
 };
 
-MeanLuminance mean_luminance(const FilmContents<ExactSums>& contents, const FilmSetup& setup) {
+/// Calls camera_value(sums) for what a pixel shows of its camera samples.
+template <class CameraValue>
+MeanLuminance mean_luminance(const FilmContents<ExactSums>& contents, const FilmOptions& options,
+                             const CameraValue& camera_value) {
     MeanLuminance mean;
     double pixels = 0.0;
     for (std::size_t i = 0; i < contents.pixels.size(); ++i) {
         const PixelSums sums = sums_of(contents, i);
-        const std::optional<XYZd> plain = mean_of(sums), controlled = camera_value_of(sums, setup);
+        const std::optional<XYZd> plain = mean_of(sums), controlled = camera_value(sums);
         if (!plain || !controlled) continue;
         mean.plain_cdm2 += plain->y;
         mean.controlled_cdm2 += controlled->y;
         pixels += 1.0;
     }
     if (pixels == 0.0) return mean;
-    const double scale = 1.0 / (pixels * setup.sensor.imaging_ratio());
+    const double scale = 1.0 / (pixels * imaging_ratio(options.sensor));
     return {scale * mean.plain_cdm2, scale * mean.controlled_cdm2};
 }
 
@@ -40,23 +43,30 @@ std::string percent_text(double part, double whole) {
 }
 
 std::string bias_text(const NoFireflyControl& /*none*/, const FilmContents<ExactSums>& /*contents*/,
-                      const FilmSetup& /*setup*/) {
+                      const FilmOptions& /*options*/) {
     return {};
 }
 
-std::string bias_text(const LuminanceClamp& clamp, const FilmContents<ExactSums>& contents, const FilmSetup& setup) {
+std::string bias_text(const LuminanceClamp& clamp, const FilmContents<ExactSums>& contents,
+                      const FilmOptions& options) {
     const ClampedSamples& clamped = contents.counts.clamped;
     const auto samples = static_cast<double>(contents.counts.samples);
     const double removed_cdm2 =
-        samples > 0.0 ? clamped.removed_luminance.value() / (samples * setup.sensor.imaging_ratio()) : 0.0;
-    const double left_cdm2 = mean_luminance(contents, setup).plain_cdm2;
+        samples > 0.0 ? clamped.removed_luminance.value() / (samples * imaging_ratio(options.sensor)) : 0.0;
+    const double left_cdm2 = mean_luminance(contents, options, mean_of).plain_cdm2;
     return fmt::format("{}; {} of {} samples were scaled down; mean luminance lowered by {:.4g} cd/m^2, {}",
                        to_text(clamp), clamped.count, contents.counts.samples, removed_cdm2,
                        percent_text(removed_cdm2, left_cdm2 + removed_cdm2));
 }
 
-std::string bias_text(const MedianOfMeans& median, const FilmContents<ExactSums>& contents, const FilmSetup& setup) {
-    const MeanLuminance mean = mean_luminance(contents, setup);
+std::string bias_text(const MedianOfMeans& median, const FilmContents<ExactSums>& contents,
+                      const FilmOptions& options) {
+    FilmOptions sums_only = options;
+    sums_only.sensor.camera.reset();  // long past: no reason to fit it again
+    sums_only.sensor.white_balance.reset();
+    const FilmSetup setup(sums_only);
+    const MeanLuminance mean =
+        mean_luminance(contents, options, [&](const PixelSums& sums) { return camera_value_of(sums, setup); });
     const double bias_cdm2 = mean.controlled_cdm2 - mean.plain_cdm2;
     return fmt::format("{}; mean luminance changed by {:.4g} cd/m^2, {}", to_text(median), bias_cdm2,
                        percent_text(bias_cdm2, mean.plain_cdm2));
@@ -64,32 +74,32 @@ std::string bias_text(const MedianOfMeans& median, const FilmContents<ExactSums>
 
 }  // namespace
 
-std::string firefly_text(const FilmContents<ExactSums>& contents, const FilmSetup& setup) {
-    return std::visit([&](const auto& control) { return bias_text(control, contents, setup); },
-                      setup.options.firefly_control);
+std::string firefly_text(const FilmContents<ExactSums>& contents, const FilmOptions& options) {
+    return std::visit([&](const auto& control) { return bias_text(control, contents, options); },
+                      options.firefly_control);
 }
 
-void update_counts(const FilmContents<ExactSums>& contents, const FilmSetup& setup, FilmMetadata& metadata) {
+void update_counts(const FilmContents<ExactSums>& contents, const FilmOptions& options, FilmMetadata& metadata) {
     const DroppedSamples& dropped = contents.counts.dropped;
     metadata.samples_per_pixel = static_cast<std::int64_t>(min_samples_per_pixel(contents));
     metadata.sample_count = contents.counts.samples;
     metadata.dropped_nan_count = dropped.count(DroppedKind::nan);
     metadata.dropped_infinite_count = dropped.count(DroppedKind::infinite);
     metadata.dropped_negative_luminance_count = dropped.count(DroppedKind::negative_luminance);
-    metadata.firefly_control = firefly_text(contents, setup);
+    metadata.firefly_control = firefly_text(contents, options);
 }
 
-FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmSetup& setup, FilmMetadata run) {
-    update_counts(contents, setup, run);
-    run.filter = to_text(setup.options.filter);
-    const std::string options = to_text(setup.options);
-    run.film = options.substr(options.find(' ') + 1) + " " + to_text(setup.options.sensor);
+FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmOptions& options, FilmMetadata run) {
+    update_counts(contents, options, run);
+    run.filter = to_text(options.filter);
+    const std::string text = to_text(options);
+    run.film = text.substr(text.find(' ') + 1) + " " + to_text(options.sensor);
     return run;
 }
 
 FilmMetadata metadata_of(const Film& film, FilmMetadata run) {
     return film.with_contents(
-        [&](const FilmContents<ExactSums>& contents) { return metadata_of(contents, film.setup(), std::move(run)); });
+        [&](const FilmContents<ExactSums>& contents) { return metadata_of(contents, film.options(), std::move(run)); });
 }
 
 }  // namespace emulsion

@@ -67,7 +67,7 @@ FilmOptions without_camera(FilmOptions options) {
 
 FilmState state_of(const Film& film, FilmProvenance provenance, FilmMetadata run) {
     FilmContents<ExactSums> contents = film.contents();
-    FilmMetadata metadata = metadata_of(contents, film.setup(), std::move(run));
+    FilmMetadata metadata = metadata_of(contents, film.options(), std::move(run));
     return {without_camera(film.options()), to_text(film.options().sensor), std::move(contents), std::move(provenance),
             std::move(metadata)};
 }
@@ -81,12 +81,11 @@ void merge(FilmState& state, const FilmState& other) {
     require_same_kind(kind_of(state), kind_of(other));
     require_whole_rounds(state.provenance);
     require_whole_rounds(other.provenance);
-    const FilmSetup setup(state.options);
-    require_size(state.contents, setup);
-    require_size(other.contents, setup);
+    require_size(state.contents, state.options);
+    require_size(other.contents, other.options);
     state.provenance.samples.add(other.provenance.samples);
     merge(state.contents, other.contents);
-    update_counts(state.contents, setup, state.metadata);
+    update_counts(state.contents, state.options, state.metadata);
 }
 
 }  // namespace emulsion

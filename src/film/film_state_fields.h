@@ -19,6 +19,7 @@ struct FilmStateFields {
     std::string scene, sampling, sample_ranges, partial_round;
 };
 
+/// Names of at most 31 characters, which old readers take.
 /// Calls field(name, value) for each; Fields is FilmStateFields, const or not.
 template <class Fields, class F>
 void for_each_state_field(Fields& fields, const F& field) {
@@ -35,7 +36,7 @@ void for_each_state_field(Fields& fields, const F& field) {
     field("emulsion.state.droppedAux", fields.dropped_aux);
     field("emulsion.state.droppedNan", fields.dropped_nan);
     field("emulsion.state.droppedInfinite", fields.dropped_infinite);
-    field("emulsion.state.droppedNegativeLuminance", fields.dropped_negative_luminance);
+    field("emulsion.state.droppedNegative", fields.dropped_negative_luminance);
     // Of each: pixel, kind by its number, then X, Y, Z and weight as the hexadecimal digits of their bits.
     field("emulsion.state.firstDropped", fields.first_dropped);
     field("emulsion.state.clamped", fields.clamped);

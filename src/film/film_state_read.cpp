@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "film/exr_attributes.h"
+#include "film/exr_header_check.h"
 #include "film/exr_header_reader.h"
 #include "film/exr_messages.h"
 #include "film/exr_metadata.h"
@@ -51,20 +52,19 @@ FilmStateFields read_fields(const Imf::Header& header) {
     return fields;
 }
 
-/// \throws std::runtime_error unless the part has the film's pixels and every channel in the form that we write.
-void require_part_of(const Imf::Header& header, const FilmSetup& setup, const FilmContents<ExactSums>& contents) {
+/// \throws std::runtime_error unless the part has the film's pixels.
+void require_window(const Imf::Header& header, const PixelBounds& expected) {
     const Imath::Box2i& window = header.dataWindow();
     const PixelBounds bounds{window.min.x, window.min.y, window.max.x + 1, window.max.y + 1};
-    if (bounds != setup.bounds) {
-        throw std::runtime_error("its sums are of the pixels " + to_string(bounds) + ", expected " +
-                                 to_string(setup.bounds));
-    }
-    for_each_sum_channel(contents, [&](const std::string& name, const std::byte*, std::size_t) {
-        const Imf::Channel* channel = header.channels().findChannel(name);
-        const bool is_ours =
-            channel && channel->type == Imf::UINT && channel->xSampling == 1 && channel->ySampling == 1;
-        if (!is_ours) throw std::runtime_error("its sums have no channel " + name + " of whole numbers");
-    });
+    if (bounds == expected) return;
+    throw std::runtime_error("its sums are of the pixels " + to_string(bounds) + ", expected " + to_string(expected));
+}
+
+/// \throws std::runtime_error unless the part has the channel in the form that we write.
+void require_channel(const Imf::Header& header, const std::string& name) {
+    const Imf::Channel* channel = header.channels().findChannel(name);
+    const bool is_ours = channel && channel->type == Imf::UINT && channel->xSampling == 1 && channel->ySampling == 1;
+    if (!is_ours) throw std::runtime_error("its sums have no channel " + name + " of whole numbers");
 }
 
 FilmState read_checked(Imf::MultiPartInputFile& file) {
@@ -76,13 +76,14 @@ FilmState read_checked(Imf::MultiPartInputFile& file) {
     if (!notes.empty()) throw std::runtime_error(notes.front());
 
     const FilmSetup setup(state.options);
+    require_window(header, setup.bounds);
     const FilmCounts counts = state.contents.counts;
     state.contents = empty_contents<ExactSums>(setup);
     state.contents.counts = counts;
-    require_part_of(header, setup, state.contents);
     Imf::FrameBuffer places;
     const auto width = static_cast<std::size_t>(setup.bounds.width());
     for_each_sum_channel(state.contents, [&](const std::string& name, std::byte* words, std::size_t stride) {
+        require_channel(header, name);
         places.insert(name, Imf::Slice::Make(Imf::UINT, words, header.dataWindow(), stride, stride * width));
     });
     Imf::InputPart in(file, kSumsPart);
@@ -97,6 +98,7 @@ FilmState read_film_state(const std::filesystem::path& path) {
     // One open file throughout: one that is renamed over it meanwhile is another.
     HeaderReader file(path);
     require_whole(file);
+    check_exr_header(path);
     try {
         Imf::StdIFStream stream(file.stream(), path.c_str());
         constexpr bool kReconstructChunkTable = false;

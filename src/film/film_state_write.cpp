@@ -61,7 +61,7 @@ ExrWriteResult write_film_state(const std::filesystem::path& path, const FilmSta
     picture_options.white_luminance_cdm2 = white_luminance_cdm2(state.options.sensor);
     validate(picture_options);
     const FilmSetup setup(state.options);
-    require_size(state.contents, setup);
+    require_size(state.contents, state.options);
     const FilmPicture picture = picture_of(state.contents, setup);
     const PictureView view = view_of(picture);
     validate(view);

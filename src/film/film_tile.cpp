@@ -42,6 +42,22 @@ bool all_finite(const XYZ& value, float weight) noexcept {
 
 double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
 
+void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+               std::span<const float> y_weights, const XYZd& xyz) noexcept {
+    ExactTilePixel::add_block(first, stride, x_weights, y_weights, xyz);
+}
+template <class Pixel>
+void add_block(Pixel* first, std::ptrdiff_t stride, std::span<const float> x_weights, std::span<const float> y_weights,
+               const XYZd& xyz) noexcept {
+    for (const float y_weight : y_weights) {
+        Pixel* pixel = first;
+        for (const float x_weight : x_weights) {
+            (pixel++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
+        }
+        first += stride;
+    }
+}
+
 void add_to(ExactSum& sum, double term) noexcept { sum += ExactSum(term); }
 
 }  // namespace
@@ -62,11 +78,8 @@ BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const Fil
       sample_counts_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
     if (!setup_->footprint) return;
-    const auto most = [&](FilterAxis axis, int size) {
-        return std::min(setup_->footprint->most_pixels(axis), static_cast<std::size_t>(std::max(size, 0)));
-    };
-    x_weights_.resize(most(FilterAxis::x, bounds_.width()));
-    y_weights_.resize(most(FilterAxis::y, bounds_.height()));
+    x_weights_.resize(setup_->footprint->room(FilterAxis::x));
+    y_weights_.resize(setup_->footprint->room(FilterAxis::y));
 }
 
 template <class Sums>
@@ -143,22 +156,29 @@ void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample,
 }
 
 template <class Sums>
-template <class Visit>
-std::uint64_t BasicFilmTile<Sums>::for_each_reached(float x_px, float y_px, const Visit& visit) noexcept {
+typename BasicFilmTile<Sums>::Block BasicFilmTile<Sums>::block_reached(float x_px, float y_px) noexcept {
     const FilterFootprint& footprint = *setup_->footprint;
-    const FilterFootprint::Reach xs = footprint.reach(FilterAxis::x, x_px, bounds_.x0, bounds_.x1);
-    const FilterFootprint::Reach ys = footprint.reach(FilterAxis::y, y_px, bounds_.y0, bounds_.y1);
-    if (xs.begin >= xs.end || ys.begin >= ys.end) return 0;
-    footprint.weights(FilterAxis::x, x_px, xs, x_weights_);
-    footprint.weights(FilterAxis::y, y_px, ys, y_weights_);
-    for (int y = ys.begin; y < ys.end; ++y) {
-        const float y_weight = y_weights_[static_cast<std::size_t>(y - ys.begin)];
-        std::size_t i = index(xs.begin, y);
-        for (int x = xs.begin; x < xs.end; ++x, ++i) {
-            visit(i, y_weight * x_weights_[static_cast<std::size_t>(x - xs.begin)]);
-        }
+    const FilterFootprint::Reach all_x = footprint.reach(FilterAxis::x, x_px);
+    const FilterFootprint::Reach all_y = footprint.reach(FilterAxis::y, y_px);
+    const int x0 = std::max(all_x.begin, bounds_.x0), x1 = std::min(all_x.end, bounds_.x1);
+    const int y0 = std::max(all_y.begin, bounds_.y0), y1 = std::min(all_y.end, bounds_.y1);
+    if (x0 >= x1 || y0 >= y1) return {};
+    const float* const x_weights = footprint.weights(FilterAxis::x, x_px, all_x, x_weights_.data());
+    const float* const y_weights = footprint.weights(FilterAxis::y, y_px, all_y, y_weights_.data());
+    return {index(x0, y0),
+            {x_weights + (x0 - all_x.begin), static_cast<std::size_t>(x1 - x0)},
+            {y_weights + (y0 - all_y.begin), static_cast<std::size_t>(y1 - y0)}};
+}
+
+template <class Sums>
+template <class Visit>
+void BasicFilmTile<Sums>::for_each_pixel(const Block& block, const Visit& visit) noexcept {
+    std::size_t first = block.first;
+    for (const float y_weight : block.y_weights) {
+        std::size_t i = first;
+        for (const float x_weight : block.x_weights) visit(i++, x_weight * y_weight);
+        first += static_cast<std::size_t>(width_);
     }
-    return static_cast<std::uint64_t>(xs.end - xs.begin) * static_cast<std::uint64_t>(ys.end - ys.begin);
 }
 
 template <class Sums>
@@ -181,16 +201,21 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
         add_to(clamped_.removed_luminance, static_cast<double>(sample.luminance - share * sample.luminance));
     }
     const XYZ value = share * sample.xyz;
-    const auto x = static_cast<double>(value.x), y = static_cast<double>(value.y), z = static_cast<double>(value.z);
-    spread_touches_ += for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
-        pixels_[i].add(x, y, z, static_cast<double>(weight));
-        count(i);
-        if (has_channels_) [[unlikely]]
-            add_channels(i, value, weight);
-        if (has_buckets_ && !spectral.lambda_nm.empty()) [[unlikely]]
-            add_buckets(i, sample, spectral, weight);
-    });
-    ++spread_samples_;
+    const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
+    const Block block = block_reached(x_px, y_px);
+    add_block(pixels_.data() + block.first, width_, block.x_weights, block.y_weights, exact_value);
+    std::uint32_t* counts = sample_counts_.data() + block.first;
+    for (std::size_t j = 0; j < block.y_weights.size(); ++j, counts += width_) {
+        for (std::size_t i = 0; i < block.x_weights.size(); ++i) ++counts[i];
+    }
+    spread_touches_ += block.x_weights.size() * block.y_weights.size();
+    if (has_channels_ || has_buckets_) [[unlikely]] {
+        for_each_pixel(block, [&](std::size_t i, float weight) {
+            if (has_channels_) add_channels(i, value, weight);
+            if (has_buckets_) add_buckets(i, sample, spectral, weight);
+        });
+    }
+    carry_all_in_time();
 }
 
 template <class Sums>
@@ -202,7 +227,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
     }
     const double per_area = 1.0 / setup_->footprint->area_px();
-    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) {
+    for_each_pixel(block_reached(x_px, y_px), [&](std::size_t i, float weight) {
         const double density = static_cast<double>(weight) * per_area;
         const std::span<ExactSum> sums = channels_.sums(i);
         const auto at = static_cast<std::size_t>(setup_->channels.light_splat.begin);
@@ -237,7 +262,8 @@ void BasicFilmTile<Sums>::add_aux_at(float x_px, float y_px, std::size_t layer,
         ++dropped_aux_;
         return;
     }
-    for_each_reached(x_px, y_px, [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
+    for_each_pixel(block_reached(x_px, y_px),
+                   [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
 }
 
 template <class Sums>
@@ -263,7 +289,14 @@ void BasicFilmTile<Sums>::carry(std::size_t i) noexcept {
 }
 
 template <class Sums>
-void BasicFilmTile<Sums>::drop(int x, int y, XYZ value, float weight) noexcept {
+void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
+    if (++spread_samples_ % kCountsPerCarry != 0) [[likely]]
+        return;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) carry(i);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::drop(int x, int y, const XYZ& value, float weight) noexcept {
     DroppedKind kind = DroppedKind::negative_luminance;
     const std::array<float, 4> numbers = {value.x, value.y, value.z, weight};
     if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {

@@ -139,18 +139,26 @@ class BasicFilmTile {
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
-    /// Calls visit(pixel, weight) for each pixel of the tile that the filter reaches from a place; returns how many.
+    /// Pixels of the tile that the filter reaches from a place, and their weights along both axes.
+    struct Block {
+        std::size_t first = 0;
+        std::span<const float> x_weights = {}, y_weights = {};  // in x_weights_ and y_weights_
+    };
+    [[nodiscard]] Block block_reached(float x_px, float y_px) noexcept;
+    /// Calls visit(pixel, weight) for each of them.
     template <class Visit>
-    std::uint64_t for_each_reached(float x_px, float y_px, const Visit& visit) noexcept;
+    void for_each_pixel(const Block& block, const Visit& visit) noexcept;
     [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept;
     [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
     void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;
 
     /// Makes room in the sums and the count of a pixel.
     void carry(std::size_t i) noexcept;
-    void drop(int x, int y, XYZ value, float weight) noexcept;
+    /// The same for all pixels, once in so many splatted samples.
+    void carry_all_in_time() noexcept;
+    void drop(int x, int y, const XYZ& value, float weight) noexcept;
 
-    static constexpr std::uint32_t kCountsPerCarry = 1u << 27;
+    static constexpr std::uint32_t kCountsPerCarry = 1u << 23;
     static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
 
     PixelBounds places_, bounds_;

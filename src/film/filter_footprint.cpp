@@ -1,5 +1,7 @@
 #include "film/filter_footprint.h"
 
+#include <limits>
+
 #include "core/parameters.h"
 #include "film/cubic_fit.h"
 
@@ -16,6 +18,15 @@ double inside(const Filter& filter, FilterAxis axis, double offset_px) noexcept 
     return eval(filter, axis, std::min(std::abs(offset_px), std::nextafter(radius, 0.0)));
 }
 
+/// 2 radius / the integral of f, by midpoints.
+double mean_weight_scale(const Filter& filter, FilterAxis axis) {
+    constexpr int kPoints = 1 << 15;
+    const double radius = radius_px(filter, axis);
+    double sum = 0.0;
+    for (int i = 0; i < kPoints; ++i) sum += eval(filter, axis, (i + 0.5) * (radius / kPoints));
+    return kPoints / sum;
+}
+
 }  // namespace
 
 FilterFootprint::FilterFootprint(const Filter& filter) : filter_(filter) {
@@ -23,39 +34,70 @@ FilterFootprint::FilterFootprint(const Filter& filter) : filter_(filter) {
     for (const FilterAxis axis : {FilterAxis::x, FilterAxis::y}) {
         check_range(radius_px(filter, axis), {0.0, kMostRadius_px, RangeEnd::open}, "filter for splatting: radius");
     }
-    x_ = make_table(filter, FilterAxis::x);
-    y_ = make_table(filter, FilterAxis::y);
+    x_ = make_table(FilterAxis::x);
+    y_ = make_table(FilterAxis::y);
 }
 
-FilterFootprint::AxisTable FilterFootprint::make_table(const Filter& filter, FilterAxis axis) {
+FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     AxisTable table;
-    table.radius_px = radius_px(filter, axis);
-    table.cells_per_px = static_cast<float>(kCells / table.radius_px);
-    const double width = table.radius_px / kCells;
+    table.radius_px = radius_px(filter_, axis);
+    table.mean_weight_scale = mean_weight_scale(filter_, axis);
 
-    double half_integral = 0.0;
-    constexpr int kPointsPerCell = 64;
-    for (int i = 0; i < kCells * kPointsPerCell; ++i) {
-        half_integral += width / kPointsPerCell * eval(filter, axis, (i + 0.5) * (width / kPointsPerCell));
-    }
-    table.mean_weight_scale = table.radius_px / half_integral;
+    // Enough for cubics, and few enough for the first cache. An even number to a pixel: the edges of filters of whole
+    // radii are at pixels' centres.
+    constexpr double kCellsPerRadius = 128.0, kMostPerPixel = 128.0;
+    const double per_px = 2.0 * std::ceil(0.5 * std::min(kCellsPerRadius / table.radius_px, kMostPerPixel));
+    table.cells_per_px = static_cast<float>(per_px);
 
-    for (int i = 0; i < kCells; ++i) {
-        const auto weight = [&](double t) { return table.mean_weight_scale * inside(filter, axis, (i + t) * width); };
-        table.mean_square_weight += integral_of_square(weight) / kCells;
-        const CubicFit fit = fit_cubic(weight);
-        const auto w = [&fit](std::size_t k) { return static_cast<float>(fit.coefficient[k]); };
-        table.cells.push_back({w(0), w(1), w(2), w(3), fit.worst < kCubicTolerance});
+    // From anywhere in pixel 0, places 0 to 1.
+    table.first = static_cast<int>(std::floor(-0.5 - table.radius_px)) + 1;
+    const int end = static_cast<int>(std::floor(0.5 + table.radius_px)) + 1;
+    table.row = (static_cast<std::size_t>(end - table.first) + 3) / 4 * 4;
+    table.last_cell = static_cast<int>(per_px) - 1;
+    for (int i = 0; i <= table.last_cell; ++i) add_cell(table, axis, i / per_px, 1.0 / per_px);
+
+    constexpr int kPanels = 512;
+    for (int i = 0; i < kPanels; ++i) {
+        table.mean_square_weight +=
+            integral_of_square([&](double t) {
+                return table.mean_weight_scale * inside(filter_, axis, (i + t) * (table.radius_px / kPanels));
+            }) /
+            kPanels;
     }
     return table;
 }
 
-double FilterFootprint::weight_reference(FilterAxis axis, double offset_px) const noexcept {
-    return table(axis).mean_weight_scale * inside(filter_, axis, offset_px);
+void FilterFootprint::add_cell(AxisTable& table, FilterAxis axis, double begin, double width) const {
+    bool is_good = true;
+    std::vector<float> coefficients(4 * table.row);
+    for (std::size_t k = 0; k < table.row; ++k) {
+        // A pixel that is out of reach from all of the cell has weights that nobody reads; past the radius, so have the
+        // others, and their cubics go on as they like.
+        const double centre = table.first + static_cast<int>(k) + 0.5;
+        const double distance = std::max({0.0, begin - centre, centre - (begin + width)});
+        if (distance >= table.radius_px) continue;
+        const CubicFit fit = fit_cubic(
+            [&](double t) { return table.mean_weight_scale * inside(filter_, axis, centre - (begin + t * width)); });
+        is_good = is_good && fit.worst < kCubicTolerance;
+        for (std::size_t i = 0; i < 4; ++i) {
+            coefficients[k / 4 * 16 + 4 * i + k % 4] = static_cast<float>(fit.coefficient[i]);
+        }
+    }
+    if (!is_good) coefficients[0] = std::numeric_limits<float>::quiet_NaN();
+    table.coefficients.insert(table.coefficients.end(), coefficients.begin(), coefficients.end());
 }
 
-std::size_t FilterFootprint::most_pixels(FilterAxis axis) const noexcept {
-    return static_cast<std::size_t>(std::ceil(2.0 * table(axis).radius_px)) + 1;
+const float* FilterFootprint::weights_by_reference(FilterAxis axis, float place_px, Reach reached,
+                                                   float* weights) const noexcept {
+    for (int i = reached.begin; i < reached.end; ++i) {
+        weights[i - reached.begin] =
+            static_cast<float>(weight_reference(axis, i + 0.5 - static_cast<double>(place_px)));
+    }
+    return weights;
+}
+
+double FilterFootprint::weight_reference(FilterAxis axis, double offset_px) const noexcept {
+    return table(axis).mean_weight_scale * inside(filter_, axis, offset_px);
 }
 
 PixelBounds FilterFootprint::places_that_reach(const PixelBounds& pixels) const noexcept {

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/color.h"
 #include "core/units.h"
+#include "film/response_table.h"
 #include "film/sensor_options.h"
 #include "spectrum/sampled_spectrum.h"
 
@@ -37,18 +37,30 @@ class Sensor {
     explicit Sensor(const SensorOptions& options = {});
 
     /// 683 imaging_ratio / N * sum_i radiance_i / pdf_i * response(lambda_i): an unbiased estimate of XYZ if the
-    /// wavelengths were drawn with those densities. Single precision: agrees with to_xyz_reference() to 4e-6 of the sum
-    /// of all terms taken positive; that is 4e-6 of X + Y + Z for an observer and radiances of one sign.
+    /// wavelengths were drawn with those densities. Wavelengths with a pdf of 0, as renderers leave behind where they
+    /// have given up a wavelength, and those outside the range add 0. The result is not finite if a wavelength is not,
+    /// or if a pdf is NaN, or if a radiance is not finite whose pdf is not 0.
+    ///
+    /// Single precision: agrees with to_xyz_reference() to 4e-6 of the sum of all terms taken positive; that is 4e-6 of
+    /// X + Y + Z for an observer and radiances of one sign.
     template <int N>
     [[nodiscard]] SensorSample sense(const SampledWavelengths<N>& wavelengths,
                                      const SampledSpectrum<N>& radiance) const noexcept {
         static_assert(N <= 4 || N % 4 == 0, "wavelengths are read in fours");
-        Float4 sum{};
-        for (int first = 0; first < N; first += 4) sum += sum_of_four(wavelengths, radiance, first);
-        constexpr float kPerWavelength = 1.0f / static_cast<float>(N);
-        sum *= kPerWavelength;
+        const auto sum_from = [&](std::size_t first) {
+            const auto four =
+                FourWavelengths::load(wavelengths.lambda_nm.data() + first, wavelengths.pdf.data() + first,
+                                      radiance.value.data() + first, std::min(N, 4));
+            return responses_.sum(four, 4.0f / static_cast<float>(N));
+        };
+        Float4 sum = sum_from(0);
+        for (std::size_t first = 4; first < N; first += 4) sum += sum_from(first);
         return {{sum[0], sum[1], sum[2]}, sum[3]};
     }
+    /// The same for any number N >= 1 of wavelengths, of which all three have to have as many: the same bits as for N
+    /// known to the compiler.
+    [[nodiscard]] SensorSample sense(std::span<const float> lambda_nm, std::span<const float> radiance,
+                                     std::span<const float> pdf) const noexcept;
     template <int N>
     [[nodiscard]] XYZ to_xyz(const SampledWavelengths<N>& wavelengths,
                              const SampledSpectrum<N>& radiance) const noexcept {
@@ -61,14 +73,15 @@ class Sensor {
                                         const SampledSpectrum<N>& radiance) const noexcept {
         XYZd sum;
         for (std::size_t i = 0; i < N; ++i) {
-            const double scaled = static_cast<double>(radiance.value[i]) / static_cast<double>(wavelengths.pdf[i]);
+            const auto pdf = static_cast<double>(wavelengths.pdf[i]);
+            const double scaled = pdf == 0.0 ? 0.0 : static_cast<double>(radiance.value[i]) / pdf;
             sum = sum + scaled * response(static_cast<double>(wavelengths.lambda_nm[i]));
         }
         return (1.0 / N) * sum;
     }
 
     /// 683 imaging_ratio times the responses, lm/W, in double precision; 0 outside [kMinWavelength_nm,
-    /// kMaxWavelength_nm]. At a jump, the value above it.
+    /// kMaxWavelength_nm), NaN if lambda_nm is not finite. At a jump, the value above it: 0 at kMaxWavelength_nm.
     [[nodiscard]] XYZd response(double lambda_nm) const noexcept;
     /// 683 imaging_ratio ybar(lambda) of the observer, lm/W: what SensorSample::luminance is made with.
     [[nodiscard]] double luminance_response(double lambda_nm) const noexcept;
@@ -79,14 +92,6 @@ class Sensor {
     [[nodiscard]] const std::optional<CameraFit>& camera_fit() const noexcept { return camera_fit_; }
 
   private:
-    // Four numbers in one vector register; a compiler's own vectorisation takes twice the time here.
-    using Float4 [[gnu::vector_size(16)]] = float;
-    using Int4 [[gnu::vector_size(16)]] = std::int32_t;
-
-    // The responses x, y and z on one nanometre, and that to luminance: start + fraction * slope.
-    struct Lines {
-        Float4 start{}, slope{};
-    };
     struct Response {
         XYZd xyz;
         double luminance = 0.0;
@@ -98,38 +103,10 @@ class Sensor {
 
     [[nodiscard]] Response at(double lambda_nm) const noexcept;
 
-    /// The sum over wavelengths first ... first + 3; over all of them if N < 4.
-    template <int N>
-    [[nodiscard]] Float4 sum_of_four(const SampledWavelengths<N>& wavelengths, const SampledSpectrum<N>& radiance,
-                                     int first) const noexcept {
-        // Idle places get no radiance.
-        constexpr float kMin_nm = kMinWavelength_nm;
-        constexpr std::size_t kBytes = sizeof(float) * std::min(N, 4);
-        Float4 lambda_nm = {kMin_nm, kMin_nm, kMin_nm, kMin_nm}, pdf = {1.0f, 1.0f, 1.0f, 1.0f}, value{};
-        std::memcpy(&lambda_nm, wavelengths.lambda_nm.data() + first, kBytes);
-        std::memcpy(&pdf, wavelengths.pdf.data() + first, kBytes);
-        std::memcpy(&value, radiance.value.data() + first, kBytes);
-
-        constexpr int kLast = kMaxWavelength_nm - kMinWavelength_nm - 1;
-        constexpr Int4 kFirstCell = {0, 0, 0, 0}, kLastCell = {kLast, kLast, kLast, kLast};
-        const Float4 above = lambda_nm - kMin_nm;
-        Int4 cell = __builtin_convertvector(above, Int4);
-        cell = cell < kFirstCell ? kFirstCell : cell;
-        cell = cell > kLastCell ? kLastCell : cell;
-        const Float4 fraction = above - __builtin_convertvector(cell, Float4);
-        const Float4 scaled = value / pdf;
-
-        const auto term = [&](int i) {
-            const Lines& lines = lines_[static_cast<std::size_t>(cell[i])];
-            return scaled[i] * (lines.start + fraction[i] * lines.slope);
-        };
-        return (term(0) + term(1)) + (term(2) + term(3));
-    }
-
     SensorOptions options_;
     std::optional<CameraFit> camera_fit_;
-    std::vector<Cell> cells_;   // by nanometre
-    std::vector<Lines> lines_;  // the same in single precision
+    std::vector<Cell> cells_;  // by nanometre
+    ResponseTable responses_;  // the same in single precision
 };
 
 }  // namespace emulsion

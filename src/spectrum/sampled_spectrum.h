@@ -22,7 +22,7 @@ constexpr void for_each_wavelength_count(Visitor&& visitor) {
 template <int N>
 struct SampledWavelengths {
     std::array<float, N> lambda_nm{};  ///< in [kMinWavelength_nm, kMaxWavelength_nm]
-    std::array<float, N> pdf{};        ///< density each was drawn with, 1/nm; > 0
+    std::array<float, N> pdf{};        ///< density each was drawn with, 1/nm; > 0, or 0: the path has given it up
 };
 
 /// N values at the wavelengths of one path: a radiance in W m^-2 sr^-1 nm^-1, a reflectance, a throughput.

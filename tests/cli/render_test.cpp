@@ -6,6 +6,10 @@
 #include <thread>
 #include <utility>
 
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -95,8 +99,16 @@ TEST_F(RenderProgram, EveryNumberOfThreadsGivesTheSameBits) {
 
 TEST_F(RenderProgram, DevelopGivesTheSameBytesAsRenderDid) {
     const std::string again = folder_.file("again.png");
-    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
-             {}, {"--rgb"}, {"--half"}, {"--rgb", "--half"}, {"--tonemap", "max-to-white"}}) {
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{},
+                                               {"--rgb"},
+                                               {"--half"},
+                                               {"--rgb", "--half"},
+                                               {"--space", "acescg-ap1", "--compression", "none"},
+                                               {"--compression", "pxr24"},
+                                               {"--half", "--compression", "b44"},
+                                               {"--rgb", "--compression", "dwaa:level=200"},
+                                               {"--tonemap", "max-to-white"}}) {
         std::vector<std::string> arguments{"-o", exr_, "--png", png_};
         arguments.insert(arguments.end(), more.begin(), more.end());
         ASSERT_EQ(render(arguments).exit_code, 0);
@@ -106,6 +118,18 @@ TEST_F(RenderProgram, DevelopGivesTheSameBytesAsRenderDid) {
         EXPECT_EQ(result.exit_code, 0) << result.err;
         EXPECT_TRUE(read_text(again) == read_text(png_)) << ::testing::PrintToString(more);
     }
+}
+
+TEST_F(RenderProgram, SpaceAndCompressionAreThoseOfTheFile) {
+    ASSERT_EQ(render({"-o", exr_, "--space", "rec2020", "--compression", "piz"}).exit_code, 0);
+    const Imf::InputFile in(exr_.c_str());
+    EXPECT_EQ(in.header().compression(), Imf::PIZ_COMPRESSION);
+    EXPECT_EQ(Imf::chromaticities(in.header()).green, Imath::V2f(0.17f, 0.797f));
+    EXPECT_NE(in.header().channels().findChannel("G"), nullptr);
+    ASSERT_EQ(render({"-o", exr_, "--rgb"}).exit_code, 0);
+    const Image<XYZ> by_flag = read_exr(exr_).xyz;
+    ASSERT_EQ(render({"-o", exr_, "--space", "sRGB"}).exit_code, 0);
+    EXPECT_EQ(read_exr(exr_).xyz, by_flag);
 }
 
 // ISO 400 stores four times the numbers, and says that 1 stands for 0.25 cd/m^2: what is read, and the picture made of

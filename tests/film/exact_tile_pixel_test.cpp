@@ -51,6 +51,41 @@ TEST(ExactTilePixel, SumsAreThoseOfRoundedTerms) {
     }
 }
 
+// Weights of all sizes, those that are added one by one among them, and counts beyond 2^13 = 8192 quick terms, from
+// which on the bits of the constants have gone round.
+TEST(ExactTilePixel, TakesWeightsOfAnySize) {
+    Pcg32 random(7);
+    ExactTilePixel pixel;
+    SlowPixel slow;
+    for (int i = 0; i < 30000; ++i) {
+        const double x = wild(random, 3), weight = wild(random, i % 100 == 99 ? 20 : 3);
+        ASSERT_TRUE(pixel.add(x, 1.0, -x, weight));
+        slow.add(x, 1.0, -x, weight);
+        ASSERT_EQ(pixel.sums(), slow.sums()) << i;
+        if (i % 12000 == 11999) pixel.carry();
+    }
+    EXPECT_EQ(pixel.sums(), slow.sums());
+}
+
+// Either side of the largest term that is added quickly, of either sign, in each channel.
+TEST(ExactTilePixel, TermsAroundTheQuickLimit) {
+    for (const double limit : {0x1p24, 0x1p3}) {
+        for (const double size : {std::nextafter(limit, 0.0), limit, std::nextafter(limit, 1e9), 2.0 * limit}) {
+            for (const double value : {size, -size}) {
+                ExactTilePixel pixel;
+                SlowPixel slow;
+                for (int i = 0; i < 3; ++i) {
+                    const bool is_weight = limit == 0x1p3;
+                    const double weight = is_weight ? value : 1.0, x = is_weight ? 0.1 : value;
+                    ASSERT_TRUE(pixel.add(x, -x, x / 3.0, weight));
+                    slow.add(x, -x, x / 3.0, weight);
+                }
+                EXPECT_EQ(pixel.sums(), slow.sums()) << value;
+            }
+        }
+    }
+}
+
 // Ties of both parts: halves of the resolution, beside a multiple of it.
 TEST(ExactTilePixel, TiesGoToEven) {
     for (const double value : {2.5 * 0x1p-44, 3.5 * 0x1p-44, -2.5 * 0x1p-44, 1.5 * 0x1p-9 + 2.5 * 0x1p-44,
@@ -91,9 +126,17 @@ TEST(ExactTilePixel, SaturatesChannelByChannelAndStaysThere) {
     EXPECT_TRUE(film.is_saturated());
 
     ExactTilePixel heavy;
-    heavy.add(0.0, 0.0, 0.0, 0x1p33);
     film = {};
+    heavy.add(0.0, 0.0, 0.0, 0x1p31);
     film.add(heavy, 1);
+    EXPECT_FALSE(film.is_saturated());
+    heavy.add(0.0, 0.0, 0.0, 0x1p31);
+    for (int i = 0; i < 3; ++i) {
+        heavy.add(0.0, 0.0, 0.0, -0x1p31);
+        heavy.add(0.0, 0.0, 0.0, -1.0);
+        heavy.carry();
+    }
+    film.add(heavy, 7);
     EXPECT_TRUE(film.is_saturated());
 }
 

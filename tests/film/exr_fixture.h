@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,33 @@ inline const std::vector<ExrOptions> kAllOptions = [] {
 inline bool same_bits(const Image<XYZ>& a, const Image<XYZ>& b) {
     return a.width() == b.width() && a.height() == b.height() &&
            std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+/// A crop with every kind of channel: 13x9 pixels of a frame of 40x30, the last row below it.
+inline FilmPicture film_picture() {
+    FilmPicture all;
+    all.xyz = picture(13, 9);
+    all.data_window = {20, 22, 33, 31};
+    all.width_px = 40;
+    all.height_px = 30;
+    Pcg32 random(11);
+    const auto values = [&](float scale) {
+        Image<float> image(13, 9);
+        for (float& value : image.pixels()) value = scale * random.next_float();
+        return image;
+    };
+    for (const char* name : {"albedo.B", "albedo.G", "albedo.R"}) all.floats.push_back({name, values(1.0f)});
+    all.floats.push_back({"depth.Z", values(1e6f)});
+    all.floats.back().values(0, 0) = std::numeric_limits<float>::infinity();
+    all.floats.push_back({"variance.Y", values(1e20f)});
+    all.counts.push_back({"samples", Image<std::uint32_t>(13, 9)});
+    for (std::uint32_t& count : all.counts.back().values.pixels()) count = random.next();
+    all.counts.back().values(3, 3) = 0xffffffffu;
+    constexpr double kThird = 1.0 / 3.0;
+    all.spectral.push_back({386.0 + 2.0 * kThird, 53.0 + kThird, values(0.1f)});
+    all.spectral.push_back({550.938, 10.0, values(0.1f)});
+    all.spectral.push_back({828.0, 4.0, values(0.1f)});
+    return all;
 }
 
 /// A new file each time: some file systems flush one that is overwritten to disk, and these tests write thousands.

@@ -2,10 +2,12 @@
 // Films of every kind, with samples of every kind, small enough to be damaged bit by bit.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,12 +74,12 @@ inline void add_samples(Film& film, std::uint64_t begin, std::uint64_t end) {
                 Pcg32 random(static_cast<std::uint64_t>((y + 100) * 1000 + x + 100), index);
                 const float size = std::ldexp(1.0f, static_cast<int>(random.next() % 40u) - 20);
                 XYZ value{size * random.next_float(), size, size * random.next_float()};
-                const std::uint32_t bad = random.next() % 29u;
+                const std::uint32_t bad = random.next() % 11u;
                 if (bad == 0) value.y = -value.y;
                 if (bad == 1) value.x = std::numeric_limits<float>::infinity();
                 if (bad == 2) value.z = std::bit_cast<float>(0xffc00000u + random.next() % 0x3fffffu);
                 const float u = random.next_float(), v = random.next_float();
-                const std::array<float, 3> seen = {u, -v, size};
+                const std::array<float, 3> seen = {bad == 5 ? std::nanf("") : u, -v, size};
                 tile.set_sample_index(index);
                 const SampledWavelengths<4> wavelengths{{410.0f, 500.0f, 555.5f, 650.0f},
                                                         {0.002f, 0.003f, 0.0025f, 0.002f}};
@@ -95,7 +97,7 @@ inline void add_samples(Film& film, std::uint64_t begin, std::uint64_t end) {
                 for (std::size_t layer = 0; layer < options.aux.size(); ++layer) {
                     const std::span<const float> values(seen.data(), options.aux[layer].components.size());
                     if (options.filter_use == FilterUse::splatted) {
-                        tile.add_aux_at(at_x, at_y, layer, bad == 5 ? std::span<const float>(&value.z, 1) : values);
+                        tile.add_aux_at(at_x, at_y, layer, values);
                     } else {
                         tile.add_aux(x, y, layer, values, 1.0f);
                     }

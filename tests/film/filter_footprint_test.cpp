@@ -2,6 +2,7 @@
 
 #include "film/filter_footprint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -19,13 +20,12 @@ namespace {
 using testing::example_filters;
 using testing::name_of;
 
-constexpr int kFar = 1000;
-
-std::vector<float> weights_at(const FilterFootprint& footprint, FilterAxis axis, float place_px,
-                              FilterFootprint::Reach reach) {
-    std::vector<float> weights(static_cast<std::size_t>(reach.end - reach.begin));
-    footprint.weights(axis, place_px, reach, weights);
-    return weights;
+/// The weights of the pixels reached.
+std::vector<float> weights_at(const FilterFootprint& footprint, FilterAxis axis, float place_px) {
+    const auto reach = footprint.reach(axis, place_px);
+    std::vector<float> room(footprint.room(axis));
+    const float* const weights = footprint.weights(axis, place_px, reach, room.data());
+    return {weights, weights + std::max(0, reach.end - reach.begin)};
 }
 
 TEST(FilterFootprint, ReachesThePixelsWithinTheRadiusAndNoOthers) {
@@ -35,29 +35,17 @@ TEST(FilterFootprint, ReachesThePixelsWithinTheRadiusAndNoOthers) {
         Pcg32 random(1);
         for (int k = 0; k < 200; ++k) {
             const float place = 40.0f * random.next_float() - 20.0f;
-            const auto reach = footprint.reach(FilterAxis::x, place, -kFar, kFar);
+            const auto reach = footprint.reach(FilterAxis::x, place);
             for (int i = -60; i < 60; ++i) {
                 const double offset = i + 0.5 - static_cast<double>(place);
                 EXPECT_EQ(i >= reach.begin && i < reach.end, -radius < offset && offset <= radius) << name_of(filter);
             }
-            EXPECT_LE(static_cast<std::size_t>(reach.end - reach.begin), footprint.most_pixels(FilterAxis::x));
+            EXPECT_LE(static_cast<std::size_t>(reach.end - reach.begin), footprint.room(FilterAxis::x));
         }
     }
-}
-
-TEST(FilterFootprint, ReachIsCutToThePixelsThereAre) {
-    const FilterFootprint footprint(MitchellFilter{});
-    const auto reach = [&](float place, int first, int last) {
-        const auto found = footprint.reach(FilterAxis::x, place, first, last);
-        return std::pair(found.begin, found.end);
-    };
-    EXPECT_EQ(reach(5.5f, 0, 10), std::pair(4, 8));  // 3 and 7 are at the radius itself, of which one belongs
-    EXPECT_EQ(reach(5.25f, 0, 10), std::pair(3, 7));
-    EXPECT_EQ(reach(5.25f, 4, 6), std::pair(4, 6));
-    EXPECT_EQ(reach(-1.75f, 0, 10).second, 0);
-    EXPECT_EQ(reach(-1.25f, 0, 10), std::pair(0, 1));
-    EXPECT_EQ(reach(1e30f, 0, 10), std::pair(10, 10));
-    EXPECT_EQ(reach(-1e30f, 0, 10), std::pair(0, 0));
+    const auto reach = FilterFootprint(MitchellFilter{}).reach(FilterAxis::x, 5.5f);
+    EXPECT_EQ(reach.begin, 4) << "3 and 7 are at the radius itself, and one of them belongs";
+    EXPECT_EQ(reach.end, 8);
 }
 
 // A place on the border of two pixels belongs to one of them.
@@ -65,10 +53,10 @@ TEST(FilterFootprint, BoxOfHalfAPixelReachesOnePixelFromEverywhere) {
     const FilterFootprint footprint(BoxFilter{});
     for (int k = -64; k < 64; ++k) {
         const float place = 0.125f * static_cast<float>(k);
-        const auto reach = footprint.reach(FilterAxis::x, place, -kFar, kFar);
+        const auto reach = footprint.reach(FilterAxis::x, place);
         ASSERT_EQ(reach.end - reach.begin, 1) << place;
         EXPECT_EQ(reach.begin, static_cast<int>(std::floor(place)));
-        EXPECT_EQ(weights_at(footprint, FilterAxis::x, place, reach)[0], 1.0f);
+        EXPECT_EQ(weights_at(footprint, FilterAxis::x, place)[0], 1.0f);
     }
 }
 
@@ -105,8 +93,8 @@ TEST(FilterFootprint, FastPathFollowsItsTwin) {
         Pcg32 random(3);
         for (int k = 0; k < 2000; ++k) {
             const float place = 10.0f * random.next_float();
-            const auto reach = footprint.reach(FilterAxis::y, place, -kFar, kFar);
-            const std::vector<float> weights = weights_at(footprint, FilterAxis::y, place, reach);
+            const auto reach = footprint.reach(FilterAxis::y, place);
+            const std::vector<float> weights = weights_at(footprint, FilterAxis::y, place);
             for (int i = reach.begin; i < reach.end; ++i) {
                 const double expected = footprint.weight_reference(FilterAxis::y, i + 0.5 - static_cast<double>(place));
                 // The cubic's 2e-6, and the rounding of weights of up to 3 in single precision.
@@ -124,7 +112,8 @@ TEST(FilterFootprint, NarrowShapesAreNoCubics) {
     for (const float place : {10.5f, 10.503f, 10.51f, 10.52f}) {
         const double offset = 10.5 - static_cast<double>(place);
         const double expected = footprint.weight_reference(FilterAxis::x, offset);
-        const auto weight = weights_at(footprint, FilterAxis::x, place, {10, 11})[0];
+        const int first = footprint.reach(FilterAxis::x, place).begin;
+        const float weight = weights_at(footprint, FilterAxis::x, place)[static_cast<std::size_t>(10 - first)];
         EXPECT_NEAR(static_cast<double>(weight), expected, 1e-6 * footprint.weight_reference(FilterAxis::x, 0.0));
     }
 }
@@ -135,9 +124,9 @@ TEST(FilterFootprint, PlacesAndPixelsReachEachOther) {
         const PixelBounds pixels{3, -2, 9, 4};
         const PixelBounds places = footprint.places_that_reach(pixels);
         const auto reaches = [&](float x, float y) {
-            const auto xs = footprint.reach(FilterAxis::x, x, pixels.x0, pixels.x1);
-            const auto ys = footprint.reach(FilterAxis::y, y, pixels.y0, pixels.y1);
-            return xs.begin < xs.end && ys.begin < ys.end;
+            const auto xs = footprint.reach(FilterAxis::x, x), ys = footprint.reach(FilterAxis::y, y);
+            return std::max(xs.begin, pixels.x0) < std::min(xs.end, pixels.x1) &&
+                   std::max(ys.begin, pixels.y0) < std::min(ys.end, pixels.y1);
         };
         Pcg32 random(5);
         for (int k = 0; k < 2000; ++k) {
@@ -149,7 +138,7 @@ TEST(FilterFootprint, PlacesAndPixelsReachEachOther) {
         // From the corners of a region, all that is reached lies within what reached_from() says.
         const PixelBounds reached = footprint.reached_from(places);
         for (const int x : {places.x0, places.x1}) {
-            const auto reach = footprint.reach(FilterAxis::x, static_cast<float>(x), -kFar, kFar);
+            const auto reach = footprint.reach(FilterAxis::x, static_cast<float>(x));
             if (reach.begin >= reach.end) continue;
             EXPECT_GE(reach.begin, reached.x0);
             EXPECT_LE(reach.end, reached.x1);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,12 +56,15 @@ std::array<double, 3> components(const BasicXYZ<T>& xyz) {
 
 TEST(Sensor, RespondsAsTheObserverTimesTheEfficacy) {
     const Sensor sensor;
-    for (int lambda_nm = kMinWavelength_nm; lambda_nm <= kMaxWavelength_nm; ++lambda_nm) {
+    for (int lambda_nm = kMinWavelength_nm; lambda_nm < kMaxWavelength_nm; ++lambda_nm) {
         const XYZd expected = kLuminousEfficacy * eval(cie_1931_2deg(), lambda_nm);
         EXPECT_EQ(sensor.response(lambda_nm), expected);
     }
     EXPECT_EQ(sensor.response(359.99), XYZd{});
-    EXPECT_EQ(sensor.response(830.01), XYZd{});
+    EXPECT_GT(sensor.response(829.99).x, 0.0);
+    EXPECT_EQ(sensor.response(830.0), XYZd{}) << "a jump, and the value above it";
+    EXPECT_EQ(sensor.luminance_response(830.0), 0.0);
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) EXPECT_TRUE(std::isnan(sensor.response(bad).y));
     EXPECT_NEAR(sensor.response(555.0).y, 683.0, 1e-3);
     EXPECT_NEAR(sensor.response(500.5).y, 0.5 * (sensor.response(500).y + sensor.response(501).y), 1e-12);
 }
@@ -81,15 +85,85 @@ TEST(Sensor, ImagingRatioScales) {
     EXPECT_DOUBLE_EQ(plain.to_xyz_reference(wavelengths, radiance).x, 6.0 * plain.response(600.25).x);
 }
 
-TEST(Sensor, TakesTheEndsOfTheRange) {
+/// One wavelength, seen by both paths.
+std::array<double, 3> seen(const Sensor& sensor, float lambda_nm, float pdf, float radiance) {
+    SampledWavelengths<1> wavelengths;
+    wavelengths.lambda_nm = {lambda_nm};
+    wavelengths.pdf = {pdf};
+    const SampledSpectrum<1> values(radiance);
+    const auto fast = components(sensor.to_xyz(wavelengths, values));
+    const auto reference = components(sensor.to_xyz_reference(wavelengths, values));
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(std::isnan(fast[k]), std::isnan(reference[k])) << lambda_nm << " nm";
+        if (std::isfinite(reference[k])) {
+            EXPECT_NEAR(fast[k], reference[k], 4e-6 * (reference[0] + reference[1] + reference[2])) << lambda_nm;
+        }
+    }
+    return fast;
+}
+
+TEST(Sensor, SeesTheFirstAndTheLastWavelengthOfTheRange) {
     const Sensor sensor;
-    SampledWavelengths<2> wavelengths;
-    wavelengths.lambda_nm = {360.0f, 830.0f};
-    wavelengths.pdf = {1.0f, 1.0f};
-    const SampledSpectrum<2> radiance(1.0f);
-    const double expected = 0.5 * (sensor.response(360.0).x + sensor.response(830.0).x);
-    EXPECT_GT(expected, 0.0);
-    EXPECT_NEAR(static_cast<double>(sensor.to_xyz(wavelengths, radiance).x), expected, 1e-6 * expected);
+    for (const float nm : {360.0f, std::nextafter(361.0f, 0.0f), 361.0f, 829.0f, std::nextafter(830.0f, 0.0f)}) {
+        EXPECT_GT(seen(sensor, nm, 1.0f, 1.0f)[0], 0.0) << nm;
+    }
+}
+
+TEST(Sensor, SeesNothingOutsideTheRange) {
+    const Sensor sensor;
+    for (const float nm : {std::nextafter(360.0f, 0.0f), 359.5f, 0.5f, 0.0f, -0.5f, -1.0f, -400.0f, -1e30f, 830.0f,
+                           830.5f, 831.0f, 1190.0f, 1e9f, 4294967296.0f, 4294967796.0f, 1e30f}) {
+        EXPECT_EQ(seen(sensor, nm, 0.01f, 5.0f), (std::array<double, 3>{})) << nm;
+    }
+}
+
+// What can't be right must not look as if it were: the film keeps it out.
+TEST(Sensor, PassesOnWhatIsNotFinite) {
+    const Sensor sensor;
+    for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF}) {
+        EXPECT_TRUE(std::isnan(seen(sensor, bad, 1.0f, 1.0f)[1]));
+        EXPECT_FALSE(std::isfinite(seen(sensor, 555.5f, 1.0f, bad)[1]));
+    }
+    EXPECT_TRUE(std::isnan(seen(sensor, 555.5f, std::nanf(""), 1.0f)[1]));
+}
+
+// A wavelength with a pdf of 0 has been given up: the others go on, and N stays.
+TEST(Sensor, WavelengthsThatAreGivenUpAddNothing) {
+    const Sensor sensor;
+    SampledWavelengths<4> wavelengths;
+    wavelengths.lambda_nm = {555.25f, 430.0f, 610.0f, 700.0f};
+    wavelengths.pdf = {0.01f, 0.0f, -0.0f, 0.0f};
+    SampledSpectrum<4> radiance(2.0f);
+    SampledWavelengths<1> one;
+    one.lambda_nm = {555.25f};
+    one.pdf = {0.01f};
+    const XYZ alone = sensor.to_xyz(one, SampledSpectrum<1>(2.0f));
+    const XYZd alone_exact = sensor.to_xyz_reference(one, SampledSpectrum<1>(2.0f));
+    for (const float left_behind : {2.0f, 0.0f, std::nanf(""), HUGE_VALF}) {
+        for (int i = 1; i < 4; ++i) radiance[i] = left_behind;
+        EXPECT_EQ(sensor.to_xyz(wavelengths, radiance), 0.25f * alone) << left_behind;
+        EXPECT_EQ(sensor.to_xyz_reference(wavelengths, radiance), 0.25 * alone_exact) << left_behind;
+    }
+}
+
+// Numbers that fill no four: against the mean of the single wavelengths. Rounding: 4e-6 for both sides.
+TEST(Sensor, TakesAnyNumberOfWavelengths) {
+    const Sensor sensor;
+    Pcg32 random(4);
+    for (std::size_t n = 1; n <= 21; ++n) {
+        std::vector<float> lambda_nm, pdf, radiance;
+        std::array<double, 3> expected{};
+        for (std::size_t i = 0; i < n; ++i) {
+            lambda_nm.push_back(400.0f + 300.0f * random.next_float());
+            pdf.push_back(0.001f + 0.01f * random.next_float());
+            radiance.push_back(random.next_float());
+            const auto single = seen(sensor, lambda_nm.back(), pdf.back(), radiance.back());
+            for (std::size_t k = 0; k < 3; ++k) expected[k] += single[k] / static_cast<double>(n);
+        }
+        const auto got = components(sensor.sense(lambda_nm, radiance, pdf).xyz);
+        const double size = expected[0] + expected[1] + expected[2];
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(got[k], expected[k], 8e-6 * size) << n;
+    }
 }
 
 template <class Width>
@@ -112,6 +186,22 @@ TYPED_TEST(SensorWidths, FastPathAgreesWithTheReference) {
         const auto reference = components(sensor.to_xyz_reference(wavelengths, radiance));
         const double size = reference[0] + reference[1] + reference[2];
         for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(fast[k], reference[k], 4e-6 * size);
+    }
+}
+
+TYPED_TEST(SensorWidths, SpansGiveTheSameBits) {
+    constexpr int kN = TypeParam::value;
+    const Sensor sensor;
+    const VisibleWavelengthPdf distribution;
+    Pcg32 random(2);
+    for (int i = 0; i < 1000; ++i) {
+        const auto wavelengths = hero_wavelengths<kN>(distribution, random.next_float());
+        SampledSpectrum<kN> radiance;
+        for (int k = 0; k < kN; ++k) radiance[k] = random.next_float() - 0.1f;
+        const SensorSample expected = sensor.sense(wavelengths, radiance);
+        const SensorSample got = sensor.sense(wavelengths.lambda_nm, radiance.value, wavelengths.pdf);
+        ASSERT_EQ(got.xyz, expected.xyz);
+        ASSERT_EQ(got.luminance, expected.luminance);
     }
 }
 

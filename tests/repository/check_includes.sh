@@ -66,7 +66,7 @@ while IFS=: read -r file line text; do
     else
         complain "$file:$line: an include that this check can't read: $text"
     fi
-done < <(grep -rnE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' src tests bench || true)
+done < <(grep -rnE --include='*.h' --include='*.cpp' --include='*.c' '^[[:space:]]*#[[:space:]]*include' src tests bench || true)
 
 embree_users=$({ grep -rlE '#[[:space:]]*include[[:space:]]*<embree' src || true; } | wc -l)
 ((embree_users <= 1)) || complain "src: $embree_users files include Embree, expected one"
@@ -81,7 +81,7 @@ while read -r room links; do
         grep -qE "emulsion::$link( |\)|$)" <<<"$links" ||
             complain "CMakeLists.txt: $room does not link emulsion::$link, which docs/architecture.md lets it use"
     done
-done < <(sed -nE 's/^emulsion_room\(([a-z]+) (.*)$/\1 \2/p' CMakeLists.txt)
+done < <(sed -nE 's/^ *emulsion_room\(([a-z]+) (.*)$/\1 \2/p' <(sed -e ':a' -e '/emulsion_room([^)]*$/{N;s/\n */ /;ba' -e '}' CMakeLists.txt))
 
 ((broken == 0)) || { printf 'error: %d broken rules\n' "$broken" >&2; exit 1; }
 printf 'no broken rules\n'

@@ -6,7 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# A wrong line in .clang-tidy would make clang-tidy fall back, with a word to nobody, to its own few checks.
+# A wrong line in a .clang-tidy would make clang-tidy fall back, with a word to nobody, to its own few checks.
+cd "$root"
+mapfile -t settings < <(find . -name .clang-tidy -not -path './build/*')
+cp --parents "${settings[@]}" .clang-format "$scratch"
 cat >"$scratch/planted.cpp" <<'EOF'
 #include <string>
 #include <utility>
@@ -29,10 +32,17 @@ std::string use_after_move(std::string text) {
     return text;
 }
 
-int divide(int* pointer) {
+int dereference(int* pointer) {
     int *misplaced=pointer;
     if (pointer == nullptr) return *misplaced;
     return 0;
+}
+
+int one_less(int n) { return n - 1; }
+
+int divide(int n) {
+    if (n != 1) return 0;
+    return 10 / one_less(n);
 }
 
 }  // namespace emulsion
@@ -42,16 +52,31 @@ EOF
     for ((line = 0; line < 62; ++line)); do echo "    // line $line"; done
     printf '    return 0;\n}\n'
 } >>"$scratch/planted.cpp"
-found=$(clang-tidy --quiet --config-file="$root/.clang-tidy" "$scratch/planted.cpp" -- -std=c++20 2>&1) || true
-for check in readability-identifier-naming bugprone-use-after-move readability-container-size-empty \
-    readability-function-size clang-analyzer-core.NullDereference; do
-    [[ $found == *"[$check,-warnings-as-errors]"* ]] ||
-        { printf 'error: clang-tidy did not find a planted fault, %s:\n%s\n' "$check" "$found" >&2; exit 1; }
+
+# Sees to it that the checks given find the planted faults in a source of a folder: finds FOLDER CHECK...
+finds() {
+    local folder=$1 found check name
+    shift
+    cp "$scratch/planted.cpp" "$scratch/$folder"
+    found=$(clang-tidy --quiet "$scratch/$folder/planted.cpp" -- -std=c++20 2>&1) || true
+    for check in "$@"; do
+        [[ $found == *"[$check,-warnings-as-errors]"* ]] ||
+            { printf 'error: %s: no planted fault found by %s:\n%s\n' "$folder" "$check" "$found" >&2; exit 1; }
+    done
+    for name in lowerCaseConstant badly_named unsuffixed; do
+        [[ $found == *"'$name'"* ]] ||
+            { printf 'error: %s: clang-tidy takes the name %s\n' "$folder" "$name" >&2; exit 1; }
+    done
+}
+everywhere=(readability-identifier-naming readability-function-size bugprone-use-after-move)
+mkdir "$scratch/src/core"
+for folder in src/core src/cli; do
+    finds "$folder" "${everywhere[@]}" readability-container-size-empty clang-analyzer-core.NullDereference \
+        clang-analyzer-core.DivideZero
 done
-for name in lowerCaseConstant badly_named unsuffixed; do
-    [[ $found == *"'$name'"* ]] || { printf 'error: clang-tidy takes the name %s\n' "$name" >&2; exit 1; }
-done
-cp "$root/.clang-format" "$scratch"
+finds bench "${everywhere[@]}" readability-container-size-empty
+finds tests "${everywhere[@]}"
+
 if clang-format --dry-run -Werror "$scratch/planted.cpp" 2>"$scratch/log"; then
     echo "error: clang-format did not find a planted fault" >&2
     exit 1

@@ -44,18 +44,35 @@ while read -r line; do
     esac
 done <<<"$commands"
 
+# --- Code: each block of a language is in the file that is compiled, word for word
+# blocks_of LANGUAGE: the blocks, with a \x01 behind each.
+blocks_of() {
+    awk -v start="\`\`\`$1" '$0 == start { inside = 1; next }
+        $0 == "```" && inside { inside = 0; printf "\001" }
+        inside' README.md
+}
+for source in cpp:examples/plug-in/main.cpp cmake:examples/plug-in/CMakeLists.txt c:tests/capi/c99_test.c; do
+    code=$(<"${source#*:}")$'\n'
+    found=0
+    while IFS= read -r -d $'\x01' block; do
+        expect "README.md: this is not in ${source#*:}:"$'\n'"$block" test "${code/"$block"/}" != "$code"
+        found=$((found + 1))
+    done < <(blocks_of "${source%%:*}")
+    expect "README.md has no block of ${source#*:}" test "$found" -gt 0
+done
+
 # --- Flags named in tables: | `--flag ...` | in the section of the subcommand, or both
 help=$("$program" --help && "$program" render --help && "$program" develop --help)
 for task in $("$program" color --help | sed -n '/^Subcommands:/,$p' | sed -nE 's/^  ([a-z]+) .*/\1/p'); do
     help+=$("$program" color "$task" --help)
 done
 for flag in $(grep -oE '`--?[a-z][a-z-]*' README.md | tr -d '`' | sort -u); do
-    case $flag in --preset) continue ;; esac # of scripts/test
+    case $flag in --preset | -ffp-contract) continue ;; esac # of scripts/test, of compilers
     expect "README.md: emulsion has no $flag" grep -qE -- "(^|[ ,])$flag($|[ ,=])" <<<"$help"
 done
 
 # --- Files and folders that it names
-for path in $(grep -oE '`(src|scripts|scenes|data|docs|tests|bench|cmake)/[A-Za-z0-9_./-]*`' README.md | tr -d '`') \
+for path in $(grep -oE '`(src|scripts|scenes|data|docs|tests|bench|cmake|examples)/[A-Za-z0-9_./-]*`' README.md | tr -d '`') \
     $(grep -oE '\]\([^)#:]+\)' README.md | tr -d '()]'); do
     expect "README.md: there is no $path" test -e "$path"
 done

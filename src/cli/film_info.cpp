@@ -1,0 +1,289 @@
+#include "cli/film_info.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/json_text.h"
+#include "core/named_value.h"
+#include "film/exr_layers.h"
+
+namespace emulsion::cli {
+
+namespace {
+
+std::string_view kind_name(ExrKind kind) {
+    switch (kind) {
+        case ExrKind::film_state:
+            return "film state";
+        case ExrKind::film_picture:
+            return "film picture";
+        case ExrKind::picture:
+            return "picture";
+        case ExrKind::other:
+            return "other EXR";
+    }
+    return "";
+}
+
+std::string window_json(const PixelBounds& window) {
+    return fmt::format("[{}, {}, {}, {}]", window.x0, window.y0, window.x1, window.y1);
+}
+
+void report_size(const ExrPartInfo& part, InfoReport& report) {
+    const PixelBounds &data = part.data_window, &frame = part.display_window;
+    const std::string size = fmt::format("{}x{} pixels", data.width(), data.height());
+    report.line("size",
+                data == frame ? size : fmt::format("{}, {} of the frame {}", size, to_string(data), to_string(frame)));
+    report.member("width_px", std::to_string(data.width()));
+    report.member("height_px", std::to_string(data.height()));
+    report.member("data_window", window_json(data));
+    report.member("display_window", window_json(frame));
+}
+
+/// "albedo.R" is R of albedo.
+std::pair<std::string, std::string> layer_and_component(const std::string& channel) {
+    const std::size_t dot = channel.rfind('.');
+    if (dot == std::string::npos) return {channel, ""};
+    return {channel.substr(0, dot), channel.substr(dot + 1)};
+}
+
+/// "albedo (R G B, half)".
+std::string layers_text(const ExrPartInfo& part, const ExrInfo& exr) {
+    std::vector<std::pair<std::string, std::string>> layers;
+    for (const ExrChannelInfo& channel : part.channels) {
+        constexpr std::array<std::string_view, 6> kPicture = {"X", "Y", "Z", "R", "G", "B"};
+        const bool is_picture =
+            exr.kind != ExrKind::other && std::find(kPicture.begin(), kPicture.end(), channel.name) != kPicture.end();
+        if (is_picture || wavelength_of_channel(channel.name)) continue;
+        const auto [layer, component] = layer_and_component(channel.name);
+        if (layers.empty() || layers.back().first != layer) layers.emplace_back(layer, "");
+        std::string& components = layers.back().second;
+        if (!component.empty()) components += (components.empty() ? "" : " ") + component;
+    }
+    std::string text;
+    for (const auto& [layer, components] : layers) {
+        text += (text.empty() ? "" : ", ") + layer + (components.empty() ? "" : " (" + components + ")");
+    }
+    return text;
+}
+
+std::string spectrum_text(const ExrPartInfo& part) {
+    std::vector<double> centres_nm;
+    for (const ExrChannelInfo& channel : part.channels) {
+        if (const auto centre_nm = wavelength_of_channel(channel.name)) centres_nm.push_back(*centre_nm);
+    }
+    if (centres_nm.empty()) return "";
+    const auto [least, most] = std::minmax_element(centres_nm.begin(), centres_nm.end());
+    return fmt::format("{} buckets, centres {:g} to {:g} nm", centres_nm.size(), *least, *most);
+}
+
+std::string part_json(const ExrPartInfo& part) {
+    std::vector<std::string> channels;
+    for (const ExrChannelInfo& channel : part.channels) {
+        channels.push_back(json_object({{"name", json_text(channel.name)}, {"type", json_text(channel.type)}}));
+    }
+    return json_object({{"name", json_text(part.name)},
+                        {"compression", json_text(part.compression)},
+                        {"data_window", window_json(part.data_window)},
+                        {"channels", json_list(channels)}});
+}
+
+void report_channels(const FilmInfo& info, InfoReport& report) {
+    const ExrPartInfo& part = info.exr.parts[info.exr.picture_part];
+    if (info.exr.kind != ExrKind::other) {
+        const bool is_xyz = info.exr.space == kXyzSpaceName;
+        const auto is_first = [&](const ExrChannelInfo& c) { return c.name == (is_xyz ? "X" : "R"); };
+        const auto channel = std::find_if(part.channels.begin(), part.channels.end(), is_first);
+        const std::string_view bits = channel->type == "half" ? "16-bit floats" : "32-bit floats";
+        report.line("colour", is_xyz ? fmt::format("X Y Z, {}", bits)
+                                     : fmt::format("R G B, linear {}, {}", info.exr.space, bits));
+        report.line("white luminance", fmt::format("{:g} cd/m^2", info.white_luminance_cdm2));
+        report.member_text("space", info.exr.space);
+        report.member("white_luminance_cdm2", json_number(info.white_luminance_cdm2));
+    }
+    report.line("layers", layers_text(part, info.exr));
+    report.line("spectrum", spectrum_text(part));
+    report.line("compression", part.compression);
+    std::vector<std::string> parts;
+    for (const ExrPartInfo& each : info.exr.parts) {
+        parts.push_back(part_json(each));
+        if (&each == &part || info.exr.kind == ExrKind::film_state) continue;
+        report.line("other part", fmt::format("\"{}\": {}x{} pixels, {}", each.name, each.data_window.width(),
+                                              each.data_window.height(), layers_text(each, {})));
+    }
+    report.member("parts", json_list(parts));
+}
+
+void report_luminance(const LuminanceStatistics& luminance, InfoReport& report) {
+    const PixelCounts& counts = luminance.counts;
+    if (counts.positive > 0) {
+        report.line("luminance",
+                    fmt::format("{:.6g} to {:.6g} cd/m^2", luminance.min_positive_cdm2, luminance.max_cdm2));
+        report.line("log-average", fmt::format("{:.6g} cd/m^2", luminance.log_average_cdm2));
+    } else {
+        report.line("luminance", "no pixel has any");
+    }
+    const auto left_out = [&](std::int64_t count, std::string_view what) {
+        if (count > 0) report.line("", fmt::format("left out: {} pixel{} {}", count, count == 1 ? "" : "s", what));
+    };
+    left_out(counts.zero, "of luminance 0");
+    left_out(counts.negative, "of negative luminance");
+    left_out(counts.nan, "with NaN");
+    left_out(counts.infinite, "with infinities");
+    report.member("luminance", json_object({{"min_positive_cdm2", json_number(luminance.min_positive_cdm2)},
+                                            {"max_cdm2", json_number(luminance.max_cdm2)},
+                                            {"log_average_cdm2", json_number(luminance.log_average_cdm2)},
+                                            {"positive_pixels", std::to_string(counts.positive)},
+                                            {"zero_pixels", std::to_string(counts.zero)},
+                                            {"negative_pixels", std::to_string(counts.negative)},
+                                            {"nan_pixels", std::to_string(counts.nan)},
+                                            {"infinite_pixels", std::to_string(counts.infinite)}}));
+}
+
+std::string dropped_text(std::uint64_t nan, std::uint64_t infinite, std::uint64_t negative) {
+    if (nan + infinite + negative == 0) return "none";
+    return fmt::format("{} NaN, {} infinite, {} of negative luminance", nan, infinite, negative);
+}
+
+/// "16 of each pixel"; `most` is unknown of pictures.
+std::string per_pixel_text(std::uint64_t least, std::optional<std::uint64_t> most) {
+    if (!most) return fmt::format("at least {} of each pixel", least);
+    if (*most == least) return fmt::format("{} of each pixel", least);
+    return fmt::format("{} to {} of each pixel", least, *most);
+}
+
+void report_samples(const FilmInfo& info, InfoReport& report) {
+    const FilmMetadata& metadata = info.exr.metadata;
+    std::optional<std::uint64_t> most;
+    if (info.state) most = max_samples_per_pixel(info.state->contents);
+    report.line("samples", fmt::format("{}, {} in all",
+                                       per_pixel_text(static_cast<std::uint64_t>(metadata.samples_per_pixel), most),
+                                       metadata.sample_count));
+    report.member("samples_per_pixel", std::to_string(metadata.samples_per_pixel));
+    if (most) report.member("most_samples_per_pixel", std::to_string(*most));
+    report.member("sample_count", std::to_string(metadata.sample_count));
+}
+
+void report_losses(const FilmInfo& info, InfoReport& report) {
+    const FilmMetadata& metadata = info.exr.metadata;
+    report.line("dropped", dropped_text(metadata.dropped_nan_count, metadata.dropped_infinite_count,
+                                        metadata.dropped_negative_luminance_count));
+    std::vector<std::string> first;
+    if (info.state) {
+        for (const DroppedSample& sample : info.state->contents.counts.dropped.first()) {
+            report.line("", to_string(sample));
+            first.push_back(json_text(to_string(sample)));
+        }
+        report.member("first_dropped", json_list(first));
+    }
+    report.line("firefly control", metadata.firefly_control.empty() ? "none" : metadata.firefly_control);
+    report.member("dropped",
+                  json_object({{"nan", std::to_string(metadata.dropped_nan_count)},
+                               {"infinite", std::to_string(metadata.dropped_infinite_count)},
+                               {"negative_luminance", std::to_string(metadata.dropped_negative_luminance_count)}}));
+    report.member_text("firefly_control", metadata.firefly_control);
+}
+
+void report_run(const FilmMetadata& metadata, InfoReport& report) {
+    report.line("filter", metadata.filter);
+    report.line("film", metadata.film);
+    report.line("seed", std::to_string(metadata.seed));
+    report.line("renderer", metadata.renderer_version);
+    report.line("command line", metadata.command_line);
+    report.member_text("filter", metadata.filter);
+    report.member_text("film", metadata.film);
+    report.member("seed", std::to_string(metadata.seed));
+    report.member_text("renderer", metadata.renderer_version);
+    report.member_text("command_line", metadata.command_line);
+}
+
+void report_ranges(const FilmProvenance& provenance, InfoReport& report) {
+    std::vector<std::string> ranges;
+    for (const SampleRange& range : provenance.samples.ranges()) {
+        ranges.push_back(fmt::format("[{}, {}]", range.begin, range.end));
+    }
+    report.line("sample ranges", ranges.empty() ? "none" : to_text(provenance.samples));
+    report.member("sample_ranges", json_list(ranges));
+    std::string partial_json = "null";
+    if (provenance.partial) {
+        const PartialRound& partial = *provenance.partial;
+        const auto done = std::count(partial.done.begin(), partial.done.end(), 1);
+        report.line("partial round", fmt::format("{}-{}, in {} of {} tiles", partial.samples.begin, partial.samples.end,
+                                                 done, partial.done.size()));
+        partial_json = json_object({{"begin", std::to_string(partial.samples.begin)},
+                                    {"end", std::to_string(partial.samples.end)},
+                                    {"tiles", std::to_string(partial.done.size())},
+                                    {"done", std::to_string(done)}});
+    }
+    report.member("partial_round", partial_json);
+    report.line("scene", provenance.scene);
+    report.line("sampling", provenance.sampling);
+    report.member_text("scene", provenance.scene);
+    report.member_text("sampling", provenance.sampling);
+}
+
+/// What the header of the picture does not have.
+void report_state(const FilmState& state, InfoReport& report) {
+    const FilmCounts& counts = state.contents.counts;
+    const auto count = [&](std::string_view label, std::string_view key, std::uint64_t number) {
+        if (number > 0) report.line(label, std::to_string(number));
+        report.member(key, std::to_string(number));
+    };
+    count("light splats", "light_splats", counts.light_splats);
+    count("light paths", "light_paths", counts.light_paths);
+    count("dropped aux", "dropped_aux_values", counts.dropped_aux);
+    count("no value", "pixels_without_value", static_cast<std::uint64_t>(pixels_without_value(state.contents)));
+    count("saturated", "saturated_pixels", static_cast<std::uint64_t>(saturated_pixels(state.contents)));
+    report_ranges(state.provenance, report);
+    report.line("sensor", state.sensor_text);
+    report.member_text("sensor", state.sensor_text);
+}
+
+}  // namespace
+
+FilmInfo read_film_info(const std::filesystem::path& path, int threads) {
+    FilmInfo info{.path = path, .exr = read_exr_info(path), .state = std::nullopt, .luminance = std::nullopt};
+    info.bytes = std::filesystem::file_size(path);
+    if (info.exr.kind == ExrKind::other) return info;
+    if (info.exr.kind == ExrKind::film_state) info.state = read_film_state(path);
+    const FilmImage picture = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
+    info.luminance = luminance_statistics(picture.xyz.view(), threads);
+    info.white_luminance_cdm2 = picture.white_luminance_cdm2;
+    info.notes = picture.notes;
+    return info;
+}
+
+InfoReport report_of(const FilmInfo& info) {
+    InfoReport report;
+    report.line("file", info.path.string());
+    report.line("kind", fmt::format("{}, {} bytes", kind_name(info.exr.kind), info.bytes));
+    report.member_text("file", info.path.string());
+    report.member_text("kind", kind_name(info.exr.kind));
+    report.member("bytes", std::to_string(info.bytes));
+    report_size(info.exr.parts[info.exr.picture_part], report);
+    report_channels(info, report);
+    if (info.luminance) report_luminance(*info.luminance, report);
+    const bool is_film = info.exr.kind == ExrKind::film_state || info.exr.kind == ExrKind::film_picture;
+    if (is_film) {
+        report_samples(info, report);
+        report_losses(info, report);
+    }
+    if (info.state) report_state(*info.state, report);
+    if (is_film) report_run(info.exr.metadata, report);
+    std::vector<std::string> notes;
+    for (const std::string& note : info.notes) {
+        report.line("note", note);
+        notes.push_back(json_text(note));
+    }
+    report.member("notes", json_list(notes));
+    return report;
+}
+
+}  // namespace emulsion::cli

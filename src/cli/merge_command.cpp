@@ -1,0 +1,124 @@
+#include "cli/merge_command.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/distinct_files.h"
+#include "cli/exr_output_options.h"
+#include "cli/loss_warnings.h"
+#include "cli/messages.h"
+#include "cli/pipeline_options.h"
+#include "core/atomic_file.h"
+#include "film/film_layers.h"
+#include "film/film_state.h"
+
+namespace emulsion::cli {
+
+struct MergeCommand::Options {
+    std::vector<std::filesystem::path> films;
+    std::filesystem::path output, png;
+    int threads = 0;
+    bool quiet = false;
+    ExrOutput exr;
+    Pipeline pipeline;
+};
+
+namespace {
+
+bool is_state_name(const std::filesystem::path& path) { return path.string().ends_with(".film.exr"); }
+
+/// One after the other, so that never more than two are in memory.
+FilmState read_and_merge(const std::vector<std::filesystem::path>& films) {
+    FilmState state = read_film_state(films.front());
+    for (std::size_t i = 1; i < films.size(); ++i) {
+        const FilmState other = read_film_state(films[i]);
+        try {
+            merge(state, other);
+        } catch (const std::invalid_argument& error) {
+            throw std::runtime_error(fmt::format("{} does not go with {}{}: {}", films[i].string(),
+                                                 films.front().string(), i > 1 ? " and those after it" : "",
+                                                 error.what()));
+        }
+    }
+    return state;
+}
+
+/// Writes the state, or the picture and its layers. \returns the picture as the file holds it.
+Image<XYZ> write_output(const std::filesystem::path& output, const FilmState& state, ExrOptions options) {
+    options.white_luminance_cdm2 = white_luminance_cdm2(state.options.sensor);
+    const FilmPicture picture = picture_of(state.contents, FilmSetup(state.options));
+    const ExrWriteResult written = is_state_name(output) ? write_film_state(output, state, options)
+                                                         : write_exr(output, picture, state.metadata, options);
+    for (const std::string& loss : exr_losses(written, options.pixel_type)) {
+        print_warning(output.string() + ": " + loss);
+    }
+    if (!is_lossy(options.compression)) return as_stored(picture.xyz, options);
+    return read_exr(output, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
+}
+
+}  // namespace
+
+MergeCommand::MergeCommand(CLI::App& program)
+    : command_(program.add_subcommand("merge", "Add up film states that were rendered apart")),
+      options_(std::make_unique<Options>()) {
+    Options& options = *options_;
+    command_
+        ->add_option("FILM", options.films,
+                     "Film states (*.film.exr) of one scene, with different samples; in any order. One alone is "
+                     "written anew, as a picture or with other options")
+        ->required()
+        ->option_text("...");
+    command_
+        ->add_option("-o,--output", options.output,
+                     "NAME.film.exr: a film state again; other names ending in .exr: the picture and its layers alone "
+                     "[required]")
+        ->required()
+        ->check(ends_in_exr)
+        ->option_text("FILE");
+    command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
+        ->option_text("FILE");
+    add_exr_options(*command_, options.exr);
+    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
+        ->check(CLI::Range(0, 1024))
+        ->option_text("N");
+    command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a few lines]");
+    add_pipeline_options(*command_, options.pipeline);
+    command_->final_callback([&options] {
+        std::vector<NamedFile> files;
+        for (const std::filesystem::path& film : options.films) files.push_back({"FILM", film});
+        files.push_back({"--output", options.output});
+        files.push_back({"--png", options.png});
+        require_distinct(files);
+    });
+}
+
+MergeCommand::~MergeCommand() = default;
+
+bool MergeCommand::chosen() const { return command_->parsed(); }
+
+int MergeCommand::run(const std::string& command_line) const {
+    const Options& options = *options_;
+    check_writable(options.output);
+    if (!options.png.empty()) check_writable(options.png);
+
+    FilmState state = read_and_merge(options.films);
+    state.metadata.command_line = command_line;
+    warn_of_losses(state.contents);
+    const ExrOptions exr = exr_options(options.exr, PixelType::float32, options.threads);
+    const Image<XYZ> picture = write_output(options.output, state, exr);
+    if (!options.png.empty()) develop_to_png(picture, options.pipeline, options.threads, options.png);
+    if (options.quiet) return kDone;
+    print_output(fmt::format("{} film{}, {}x{} pixels, samples {}: {} of each pixel\nwrote {}\n", options.films.size(),
+                             options.films.size() == 1 ? "" : "s", picture.width(), picture.height(),
+                             to_text(state.provenance.samples), state.provenance.samples.count(),
+                             options.output.string()));
+    if (!options.png.empty()) print_output(fmt::format("wrote {}\n", options.png.string()));
+    return kDone;
+}
+
+}  // namespace emulsion::cli
