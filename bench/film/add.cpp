@@ -198,7 +198,7 @@ void merge(benchmark::State& state) {
         benchmark::ClobberMemory();
     }
     state.counters["film_bytes_per_pixel"] = sizeof(typename Sums::FilmPixel);
-    state.counters["tile_bytes_per_pixel"] = sizeof(typename Sums::TilePixel) + sizeof(std::uint32_t);
+    state.counters["tile_bytes_per_pixel"] = sizeof(typename Sums::TilePixel);
     state.SetItemsProcessed(state.iterations() * kTile_px * kTile_px);
 }
 

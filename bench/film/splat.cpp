@@ -51,12 +51,13 @@ const std::vector<Sample>& samples() {
                      0,
                      {},
                      {}};
-            const auto xs = footprint.reach(FilterAxis::x, s.x_px), ys = footprint.reach(FilterAxis::y, s.y_px);
-            s.first_x = xs.begin;
-            s.first_y = ys.begin;
-            std::array<float, 8> room{};
-            std::copy_n(footprint.weights(FilterAxis::x, s.x_px, xs, room.data()), kTouched, s.x_weight.begin());
-            std::copy_n(footprint.weights(FilterAxis::y, s.y_px, ys, room.data()), kTouched, s.y_weight.begin());
+            std::array<float, kTouched> room{};
+            const auto xs = footprint.weights(FilterAxis::x, s.x_px, room.data());
+            std::copy_n(xs.first, kTouched, s.x_weight.begin());
+            const auto ys = footprint.weights(FilterAxis::y, s.y_px, room.data());
+            std::copy_n(ys.first, kTouched, s.y_weight.begin());
+            s.first_x = xs.reached.begin;
+            s.first_y = ys.reached.begin;
             all.push_back(s);
         }
         return all;

@@ -1,6 +1,7 @@
 #pragma once
 // Flags whose values are named values (core/named_value.h): NAME[:parameter=value,...].
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +31,23 @@ CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::s
     return command
         .add_option_function<std::string>(flag, parse,
                                           named_option_help(what, to_text(value), describe_named<Variant>()))
+        ->option_text("NAME");
+}
+
+/// The same where no value means another source's; `otherwise` names it.
+template <NamedVariant Variant>
+CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::string_view kind,
+                              std::optional<Variant>& value, std::string_view what, std::string_view otherwise) {
+    const auto parse = [&value, flag, kind = std::string(kind)](const std::string& text) {
+        try {
+            value = parse_named<Variant>(text, kind);
+            if constexpr (requires { validate(*value); }) validate(*value);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(flag, error.what());
+        }
+    };
+    return command
+        .add_option_function<std::string>(flag, parse, named_option_help(what, otherwise, describe_named<Variant>()))
         ->option_text("NAME");
 }
 

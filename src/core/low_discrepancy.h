@@ -11,7 +11,7 @@
 namespace emulsion {
 
 /// The bits of x in reverse order: van der Corput's sequence in base 2, as 32-bit fractions.
-[[nodiscard]] constexpr std::uint32_t reverse_bits(std::uint32_t x) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr std::uint32_t reverse_bits(std::uint32_t x) noexcept {
     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
@@ -33,7 +33,7 @@ namespace emulsion {
 
 /// Owen's nested uniform scrambling, by hashing: each bit is flipped depending on all higher bits and the seed.
 /// Source: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the multipliers are Vegdahl's (2021).
-[[nodiscard]] constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) noexcept {
     x = reverse_bits(x);
     x ^= x * 0x3d20adeau;
     x += seed;

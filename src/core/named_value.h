@@ -106,6 +106,13 @@ template <NamedVariant Variant>
     return names;
 }
 
+/// Out of line for GCC 12, which otherwise sees members of all types read from a value whose type it knows, and warns
+/// of those that the type doesn't have.
+template <NamedValue T>
+[[nodiscard, gnu::noinline]] std::string parameter_text(const T& value, const Parameter<T>& parameter) {
+    return std::visit([&](auto member) { return number_text(value.*member); }, parameter.member);
+}
+
 /// Every alternative with its parameters, in the variant's order.
 template <NamedVariant Variant>
 [[nodiscard]] std::vector<NamedValueDescription> describe_named() {
@@ -114,10 +121,8 @@ template <NamedVariant Variant>
         static const T defaults{};  // GCC 12 takes a temporary for uninitialised: no type has members of all types
         NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
-            description.parameters.push_back(
-                {parameter.name,
-                 std::visit([&](auto member) { return number_text(defaults.*member); }, parameter.member),
-                 to_text(parameter.range), parameter.unit, parameter.help});
+            description.parameters.push_back({parameter.name, parameter_text(defaults, parameter),
+                                              to_text(parameter.range), parameter.unit, parameter.help});
         }
         all.push_back(std::move(description));
     });

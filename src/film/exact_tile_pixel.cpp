@@ -29,6 +29,7 @@ struct ExactTilePixel::Plain {
 
     std::array<std::int64_t, 3> high{}, low{};
     std::int64_t weight = 0;
+    std::uint64_t count = 0;
 
     void carry() noexcept {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -58,21 +59,24 @@ struct ExactTilePixel::Plain {
 };
 
 ExactTilePixel::Plain ExactTilePixel::plain() const noexcept {
-    const std::uint64_t count = low_zc_[1] & ((std::uint64_t{1} << 52) - 1);
+    const std::uint64_t count = samples();
     const auto number = [&](std::uint64_t sum, double constant) {
         return static_cast<std::int64_t>(sum - count * std::bit_cast<std::uint64_t>(constant));
     };
     return {{number(high_xy_[0], kTop), number(high_xy_[1], kTop), number(high_zw_[0], kTop)},
             {number(low_xy_[0], kRest), number(low_xy_[1], kRest), number(low_zc_[0], kRest)},
-            number(high_zw_[1], kWeightTop)};
+            number(high_zw_[1], kWeightTop),
+            count};
 }
 
 void ExactTilePixel::store(const Plain& plain) noexcept {
-    const auto word = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
-    high_xy_ = Uint2{word(plain.high[0]), word(plain.high[1])};
-    high_zw_ = Uint2{word(plain.high[2]), word(plain.weight)};
-    low_xy_ = Uint2{word(plain.low[0]), word(plain.low[1])};
-    low_zc_ = Uint2{word(plain.low[2]), 0};
+    const auto sum = [&](std::int64_t number, double constant) {
+        return static_cast<std::uint64_t>(number) + plain.count * std::bit_cast<std::uint64_t>(constant);
+    };
+    high_xy_ = Uint2{sum(plain.high[0], kTop), sum(plain.high[1], kTop)};
+    high_zw_ = Uint2{sum(plain.high[2], kTop), sum(plain.weight, kWeightTop)};
+    low_xy_ = Uint2{sum(plain.low[0], kRest), sum(plain.low[1], kRest)};
+    low_zc_ = Uint2{sum(plain.low[2], kRest), sum(0, kOne)};
 }
 
 void ExactTilePixel::carry() noexcept {
@@ -86,16 +90,89 @@ bool ExactTilePixel::add_large(const std::array<double, 4>& terms) noexcept {
     Plain sums = plain();
     for (std::size_t i = 0; i < 3; ++i) sums.add_xyz(i, terms[i]);
     sums.add_weight(terms[3]);
+    ++sums.count;
     store(sums);
     return true;
 }
 
+#ifdef __x86_64__
+
+/// X, Y, Z and the weight in one register, for blocks of quick terms. The same bits.
+struct ExactTilePixel::Avx2 {
+    // All terms are quick if their three factors are smaller than these.
+    static constexpr float kQuickWeight = 8.0f;
+    static constexpr double kQuickValue = 0x1p21;
+    static_assert(kQuickValue * kQuickWeight * kQuickWeight == 0x1p27 && kHighFractionBits + 27 == kQuickUnitsBits);
+    static_assert(kQuickWeight * kQuickWeight == 0x1p6 && ExactWeightSum::kFractionBits + 6 == kQuickUnitsBits);
+
+    static bool are_quick(std::span<const float> weights) noexcept {
+        const __m128 sign = _mm_set1_ps(-0.0f), limit = _mm_set1_ps(kQuickWeight);
+        __m128 beyond = _mm_setzero_ps();
+        const float* weight = weights.data();
+        for (std::size_t fours = weights.size() / 4; fours > 0; --fours, weight += 4) {
+            beyond = _mm_or_ps(beyond, _mm_cmpge_ps(_mm_andnot_ps(sign, _mm_loadu_ps(weight)), limit));
+        }
+        for (std::size_t rest = weights.size() % 4; rest > 0; --rest, ++weight) {
+            beyond = _mm_or_ps(beyond, _mm_cmpge_ps(_mm_andnot_ps(sign, _mm_load_ss(weight)), limit));
+        }
+        return _mm_movemask_ps(beyond) == 0;
+    }
+    static bool are_quick(const XYZd& xyz) noexcept {
+        return std::max({std::abs(xyz.x), std::abs(xyz.y), std::abs(xyz.z)}) < kQuickValue;
+    }
+
+    [[gnu::target("avx2")]] static __m256d four(double xyz, double weight) noexcept {
+        return _mm256_setr_pd(xyz, xyz, xyz, weight);
+    }
+
+    [[gnu::target("avx2")]] static void add(ExactTilePixel& pixel, __m256d terms) noexcept {
+        static_assert(sizeof(ExactTilePixel) == 64, "high parts and low parts lie side by side");
+        const __m256d high = _mm256_add_pd(terms, four(kTop, kWeightTop));
+        const __m256d low = _mm256_add_pd(_mm256_sub_pd(four(kTop + kRest, kWeightTop + kOne), high), terms);
+        auto* const highs = reinterpret_cast<__m256i*>(&pixel.high_xy_);
+        auto* const lows = reinterpret_cast<__m256i*>(&pixel.low_xy_);
+        _mm256_store_si256(highs, _mm256_add_epi64(_mm256_load_si256(highs), _mm256_castpd_si256(high)));
+        _mm256_store_si256(lows, _mm256_add_epi64(_mm256_load_si256(lows), _mm256_castpd_si256(low)));
+    }
+
+    [[gnu::target("avx2")]] static void add_quick_block(ExactTilePixel* first, std::ptrdiff_t stride,
+                                                        std::span<const float> x_weights,
+                                                        std::span<const float> y_weights, const XYZd& xyz) noexcept {
+        const __m256d value = _mm256_setr_pd(xyz.x, xyz.y, xyz.z, 1.0);
+        const float* const x_end = x_weights.data() + x_weights.size();
+        for (const float y_weight : y_weights) {
+            ExactTilePixel* pixel = first;
+            const float* x = x_weights.data();
+            for (; x_end - x >= 4; x += 4, pixel += 4) {
+                const __m256d weights = _mm256_cvtps_pd(_mm_mul_ps(_mm_loadu_ps(x), _mm_set1_ps(y_weight)));
+                add(pixel[0], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x00), value));
+                add(pixel[1], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x55), value));
+                add(pixel[2], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xaa), value));
+                add(pixel[3], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xff), value));
+            }
+            for (; x != x_end; ++x, ++pixel) {
+                add(*pixel, _mm256_mul_pd(_mm256_set1_pd(static_cast<double>(*x * y_weight)), value));
+            }
+            first += stride;
+        }
+    }
+};
+
+#endif
+
 void ExactTilePixel::add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
                                std::span<const float> y_weights, const XYZd& xyz) noexcept {
 #ifdef __x86_64__
-    static const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
-    if (kHasAvx2) return add_block_avx2(first, stride, x_weights, y_weights, xyz);
+    if (__builtin_cpu_supports("avx2") != 0 && Avx2::are_quick(xyz) && Avx2::are_quick(x_weights) &&
+        Avx2::are_quick(y_weights)) [[likely]] {
+        return Avx2::add_quick_block(first, stride, x_weights, y_weights, xyz);
+    }
 #endif
+    add_any_block(first, stride, x_weights, y_weights, xyz);
+}
+
+void ExactTilePixel::add_any_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                                   std::span<const float> y_weights, const XYZd& xyz) noexcept {
     for (const float y_weight : y_weights) {
         ExactTilePixel* pixel = first;
         for (const float x_weight : x_weights) {
@@ -104,42 +181,6 @@ void ExactTilePixel::add_block(ExactTilePixel* first, std::ptrdiff_t stride, std
         first += stride;
     }
 }
-
-#ifdef __x86_64__
-
-[[gnu::target("avx2")]] void ExactTilePixel::add_block_avx2(ExactTilePixel* first, std::ptrdiff_t stride,
-                                                            std::span<const float> x_weights,
-                                                            std::span<const float> y_weights,
-                                                            const XYZd& xyz) noexcept {
-    static_assert(sizeof(ExactTilePixel) == 64, "high parts and low parts lie side by side");
-    const __m256d value = _mm256_setr_pd(xyz.x, xyz.y, xyz.z, 1.0);
-    const __m256d top = _mm256_setr_pd(kTop, kTop, kTop, kWeightTop);
-    const __m256d top_and_rest = _mm256_setr_pd(kTop + kRest, kTop + kRest, kTop + kRest, kWeightTop + kOne);
-    const auto least = [](double of) { return static_cast<std::int64_t>(std::uint64_t{least_upper(of)} << 32); };
-    const __m256i least_bits = _mm256_setr_epi64x(least(kTop), least(kTop), least(kTop), least(kWeightTop));
-    const __m256i beyond = _mm256_set1_epi64x(~((std::int64_t{2} << kQuickUnitsBits) - 1));
-    for (const float y_weight : y_weights) {
-        ExactTilePixel* pixel = first;
-        for (const float x_weight : x_weights) {
-            const __m256d terms = _mm256_mul_pd(_mm256_set1_pd(static_cast<double>(x_weight * y_weight)), value);
-            const __m256d high = _mm256_add_pd(terms, top);
-            const __m256i high_bits = _mm256_castpd_si256(high);
-            if (_mm256_testz_si256(_mm256_sub_epi64(high_bits, least_bits), beyond) == 0) [[unlikely]] {
-                pixel->add_large({terms[0], terms[1], terms[2], terms[3]});
-            } else {
-                const __m256i low_bits = _mm256_castpd_si256(_mm256_add_pd(_mm256_sub_pd(top_and_rest, high), terms));
-                auto* const highs = reinterpret_cast<__m256i*>(&pixel->high_xy_);
-                auto* const lows = reinterpret_cast<__m256i*>(&pixel->low_xy_);
-                _mm256_storeu_si256(highs, _mm256_add_epi64(_mm256_loadu_si256(highs), high_bits));
-                _mm256_storeu_si256(lows, _mm256_add_epi64(_mm256_loadu_si256(lows), low_bits));
-            }
-            ++pixel;
-        }
-        first += stride;
-    }
-}
-
-#endif
 
 Int128 ExactTilePixel::xyz_units(std::size_t channel) const noexcept {
     const Plain sums = plain();

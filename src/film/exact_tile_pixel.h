@@ -6,8 +6,9 @@
 // has a constant added to it, so that sums of those bits are sums of 64-bit integers: three additions of doubles and
 // two of integers, for two channels at a time. The sum of both is what ExactSum(v) would be.
 //
-// The bits of the constants are summed up as well, and taken off together, later. How many there are is counted in
-// place of the low part of the weight, which needs none: it is rounded to ExactWeightSum's resolution at once.
+// The bits of the constants are summed up as well, and taken off together, later. How many there are, one for each
+// term, is counted in place of the low part of the weight, which needs none: it is rounded to ExactWeightSum's
+// resolution at once.
 
 #include <array>
 #include <bit>
@@ -22,7 +23,7 @@
 
 namespace emulsion {
 
-class ExactTilePixel {
+class alignas(64) ExactTilePixel {  // a line of the cache
   public:
     /// So many calls of add() may come between two of carry().
     static constexpr std::uint32_t kAddsPerCarry = 1u << 24;
@@ -49,6 +50,9 @@ class ExactTilePixel {
     /// Moves what the low parts have gathered into the high ones; the sums stay what they are.
     void carry() noexcept;
 
+    /// How many terms were added; up to 2^52.
+    [[nodiscard]] std::uint64_t samples() const noexcept { return low_zc_[1] & kCountMask; }
+
     // In units of ExactSum's resolution, and of ExactWeightSum's; perhaps beyond their ranges.
     [[nodiscard]] Int128 x_units() const noexcept { return xyz_units(0); }
     [[nodiscard]] Int128 y_units() const noexcept { return xyz_units(1); }
@@ -65,6 +69,7 @@ class ExactTilePixel {
     static_assert(ExactSum::kFractionBits == 52 - 8 && ExactWeightSum::kFractionBits == 52 - 22);
     // Any weight is lost in it, and its bits are 1 above a multiple of 2^52: their sum counts.
     static constexpr double kOne = 0x1.0000000000001p59;
+    static constexpr std::uint64_t kCountMask = (std::uint64_t{1} << 52) - 1;
 
     static constexpr Double2 kTopXy = {kTop, kTop}, kTopZw = {kTop, kWeightTop};
     static constexpr Double2 kRestXy = {kRest, kRest}, kRestZc = {kRest, kOne};
@@ -91,19 +96,19 @@ class ExactTilePixel {
     }
 
     struct Plain;
+    struct Avx2;
     /// The sums without the constants' bits.
     [[nodiscard]] Plain plain() const noexcept;
     void store(const Plain& plain) noexcept;
     [[nodiscard]] Int128 xyz_units(std::size_t channel) const noexcept;
-
-    /// add_block() on processors with AVX2: X, Y, Z and the weight in one register. The same bits.
-    static void add_block_avx2(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
-                               std::span<const float> y_weights, const XYZd& xyz) noexcept;
+    /// add_block() one by one.
+    static void add_any_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
+                              std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
     /// The same as add() for terms of any size.
     bool add_large(const std::array<double, 4>& terms) noexcept;
 
-    // By channel: x and y, z and the weight; of the low parts, z and a count of the quick terms.
+    // By channel: x and y, z and the weight; of the low parts, z and the count of terms.
     Uint2 high_xy_{}, high_zw_{}, low_xy_{}, low_zc_{};
 };
 

@@ -14,12 +14,16 @@ HeaderReader::HeaderReader(const std::filesystem::path& path) : path_(path) {
     if (!std::filesystem::exists(status)) fail(error ? error.message() : "no such file");
     if (std::filesystem::is_directory(status)) fail("is a folder, expected an EXR file");
     if (!std::filesystem::is_regular_file(status)) fail("is not a regular file, expected an EXR file");
-    remaining_ = size_ = std::filesystem::file_size(path, error);
-    if (error) fail(error.message());
-    if (size_ == 0) fail("is empty, expected an EXR file");
     errno = 0;
     stream_.open(path, std::ios::binary);
     if (!stream_) fail("cannot open: " + errno_text(errno));
+    // The size of the file that was opened: by now another one may have been renamed over its name.
+    stream_.seekg(0, std::ios::end);
+    const std::streamoff size = stream_.tellg();
+    stream_.seekg(0);
+    if (!stream_ || size < 0) fail("cannot read: " + errno_text(errno));
+    remaining_ = size_ = static_cast<std::uint64_t>(size);
+    if (size_ == 0) fail("is empty, expected an EXR file");
 }
 
 void HeaderReader::fail(const std::string& reason) const { throw IoError(path_, reason); }

@@ -57,8 +57,10 @@ void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
             static_cast<std::size_t>(y - bounds().y0) * film_width + static_cast<std::size_t>(inside.x0 - bounds().x0);
         contents_.channels.add(to, tile.channels(), from, tile_width);
         for (const std::size_t end = from + tile_width; from < end; ++from, ++to) {
-            const std::uint32_t count = tile.sample_counts()[from];
-            contents_.pixels[to].add(tile.pixels()[from], count < tile.kMostSamples ? count : SampleCount::kMost);
+            const auto& pixel = tile.pixels()[from];
+            const std::uint64_t count = pixel.samples();
+            contents_.pixels[to].add(
+                pixel, count < tile.kMostSamples ? static_cast<std::uint32_t>(count) : SampleCount::kMost);
         }
     }
     contents_.counts.merge(counts);

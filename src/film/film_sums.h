@@ -5,6 +5,8 @@
 // Each kind has two types of pixel. TilePixel, one thread's:
 //     bool add(double x, double y, double z, double weight) noexcept
 // adds weight * XYZ and the weight; if a number among them is not finite it does nothing and returns false.
+//     std::uint64_t samples() const noexcept
+// says how many were added.
 // FilmPixel, the film's:
 //     void add(const TilePixel&, std::uint32_t samples) noexcept;  void merge(const FilmPixel&) noexcept
 //     WeightedSums sums() const noexcept;  std::uint32_t samples() const noexcept;  bool is_saturated() const noexcept
@@ -60,6 +62,18 @@ struct KahanSum {
     [[nodiscard]] double value() const noexcept { return static_cast<double>(sum) - static_cast<double>(excess); }
 };
 
+/// The sums of X, Y, Z and the weight.
+template <class Sum>
+struct FourSums {
+    std::array<Sum, 4> of{};
+    void merge(const FourSums& other) noexcept {
+        for (std::size_t i = 0; i < 4; ++i) of[i].merge(other.of[i]);
+    }
+    [[nodiscard]] WeightedSums values() const noexcept {
+        return {{of[0].value(), of[1].value(), of[2].value()}, of[3].value()};
+    }
+};
+
 /// The pixel of a tile whose four sums are of type Sum over numbers of type T.
 template <class T, class Sum>
 class FloatingTilePixel {
@@ -68,18 +82,17 @@ class FloatingTilePixel {
         const double wx = weight * x, wy = weight * y, wz = weight * z;
         if (!std::isfinite((wx + wy) + (wz + weight))) return false;
         const std::array<double, 4> terms = {wx, wy, wz, weight};
-        for (std::size_t i = 0; i < 4; ++i) sums_[i].add(static_cast<T>(terms[i]));
+        for (std::size_t i = 0; i < 4; ++i) sums_.of[i].add(static_cast<T>(terms[i]));
+        ++samples_;
         return true;
     }
-    void merge(const FloatingTilePixel& other) noexcept {
-        for (std::size_t i = 0; i < 4; ++i) sums_[i].merge(other.sums_[i]);
-    }
-    [[nodiscard]] WeightedSums sums() const noexcept {
-        return {{sums_[0].value(), sums_[1].value(), sums_[2].value()}, sums_[3].value()};
-    }
+    [[nodiscard]] const FourSums<Sum>& four_sums() const noexcept { return sums_; }
+    [[nodiscard]] WeightedSums sums() const noexcept { return sums_.values(); }
+    [[nodiscard]] std::uint64_t samples() const noexcept { return samples_; }
 
   private:
-    std::array<Sum, 4> sums_{};
+    FourSums<Sum> sums_;
+    std::uint64_t samples_ = 0;
 };
 
 /// The pixel of a film of such sums.
@@ -87,11 +100,14 @@ template <class T, class Sum>
 class FloatingFilmPixel {
   public:
     void add(const FloatingTilePixel<T, Sum>& tile, std::uint32_t samples) noexcept {
-        pixel_.merge(tile);
+        sums_.merge(tile.four_sums());
         samples_.add(samples);
     }
-    void merge(const FloatingFilmPixel& other) noexcept { add(other.pixel_, other.samples()); }
-    [[nodiscard]] WeightedSums sums() const noexcept { return pixel_.sums(); }
+    void merge(const FloatingFilmPixel& other) noexcept {
+        sums_.merge(other.sums_);
+        samples_.add(other.samples());
+    }
+    [[nodiscard]] WeightedSums sums() const noexcept { return sums_.values(); }
     [[nodiscard]] std::uint32_t samples() const noexcept { return samples_.count(); }
     /// A sum has overflowed.
     [[nodiscard]] bool is_saturated() const noexcept {
@@ -101,7 +117,7 @@ class FloatingFilmPixel {
     }
 
   private:
-    FloatingTilePixel<T, Sum> pixel_;
+    FourSums<Sum> sums_;
     SampleCount samples_;
 };
 

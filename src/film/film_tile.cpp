@@ -36,8 +36,10 @@ std::size_t pixel_count(const PixelBounds& bounds) noexcept {
            static_cast<std::size_t>(std::max(bounds.height(), 0));
 }
 
-bool all_finite(const XYZ& value, float weight) noexcept {
-    return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z) && std::isfinite(weight);
+bool all_finite(const SensorSample& sample) noexcept {
+    // Sums of floats cannot overflow a double.
+    return std::isfinite((static_cast<double>(sample.xyz.x) + static_cast<double>(sample.xyz.y)) +
+                         (static_cast<double>(sample.xyz.z) + static_cast<double>(sample.luminance)));
 }
 
 double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
@@ -66,26 +68,29 @@ template <class Sums>
 BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup)
     : places_(places),
       bounds_(pixels_reached(places, *checked(setup, places))),
+      least_x_px_(static_cast<float>(places.x0)),
+      least_y_px_(static_cast<float>(places.y0)),
+      most_x_px_(static_cast<float>(places.x1)),
+      most_y_px_(static_cast<float>(places.y1)),
       width_(bounds_.width()),
       first_(bounds_.y0 * width_ + bounds_.x0),
       setup_(std::move(setup)),
       sensor_(&setup_->sensor),
+      footprint_(setup_->footprint ? &*setup_->footprint : nullptr),
       max_luminance_(setup_->max_luminance),
       has_channels_(setup_->channels.squares > 0 || setup_->mean_groups > 0),
       has_buckets_(setup_->channels.buckets.size > 0),
       mean_groups_(setup_->mean_groups),
       pixels_(pixel_count(bounds_)),
-      sample_counts_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
-    if (!setup_->footprint) return;
-    x_weights_.resize(setup_->footprint->room(FilterAxis::x));
-    y_weights_.resize(setup_->footprint->room(FilterAxis::y));
+    if (!footprint_) return;
+    x_weights_.resize(footprint_->room(FilterAxis::x));
+    y_weights_.resize(footprint_->room(FilterAxis::y));
 }
 
 template <class Sums>
 void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
-    std::fill(sample_counts_.begin(), sample_counts_.end(), 0u);
     channels_.clear();
     group_ = 0;
     spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
@@ -96,13 +101,13 @@ void BasicFilmTile<Sums>::clear() noexcept {
 template <class Sums>
 std::uint64_t BasicFilmTile<Sums>::sample_count() const noexcept {
     std::uint64_t touches = 0;
-    for (const std::uint32_t count : sample_counts_) touches += count;
+    for (const Pixel& pixel : pixels_) touches += pixel.samples();
     return touches - spread_touches_ + spread_samples_;
 }
 
 template <class Sums>
 float BasicFilmTile<Sums>::kept_share(const SensorSample& sample, float max_luminance) noexcept {
-    if (!all_finite(sample.xyz, sample.luminance) || sample.luminance < 0.0f) return 0.0f;
+    if (!all_finite(sample) || sample.luminance < 0.0f) return 0.0f;
     return sample.luminance <= max_luminance ? 1.0f : max_luminance / sample.luminance;
 }
 
@@ -116,7 +121,7 @@ void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const 
                    static_cast<double>(weight));
     ++clamped_.count;
     add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
-    count(i);
+    carry_in_time(i);
     if (has_channels_) add_channels(i, value, weight);
 }
 
@@ -157,17 +162,15 @@ void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample,
 
 template <class Sums>
 typename BasicFilmTile<Sums>::Block BasicFilmTile<Sums>::block_reached(float x_px, float y_px) noexcept {
-    const FilterFootprint& footprint = *setup_->footprint;
-    const FilterFootprint::Reach all_x = footprint.reach(FilterAxis::x, x_px);
-    const FilterFootprint::Reach all_y = footprint.reach(FilterAxis::y, y_px);
-    const int x0 = std::max(all_x.begin, bounds_.x0), x1 = std::min(all_x.end, bounds_.x1);
-    const int y0 = std::max(all_y.begin, bounds_.y0), y1 = std::min(all_y.end, bounds_.y1);
+    const FilterFootprint& footprint = *footprint_;
+    const FilterFootprint::Weights all_x = footprint.weights(FilterAxis::x, x_px, x_weights_.data());
+    const FilterFootprint::Weights all_y = footprint.weights(FilterAxis::y, y_px, y_weights_.data());
+    const int x0 = std::max(all_x.reached.begin, bounds_.x0), x1 = std::min(all_x.reached.end, bounds_.x1);
+    const int y0 = std::max(all_y.reached.begin, bounds_.y0), y1 = std::min(all_y.reached.end, bounds_.y1);
     if (x0 >= x1 || y0 >= y1) return {};
-    const float* const x_weights = footprint.weights(FilterAxis::x, x_px, all_x, x_weights_.data());
-    const float* const y_weights = footprint.weights(FilterAxis::y, y_px, all_y, y_weights_.data());
     return {index(x0, y0),
-            {x_weights + (x0 - all_x.begin), static_cast<std::size_t>(x1 - x0)},
-            {y_weights + (y0 - all_y.begin), static_cast<std::size_t>(y1 - y0)}};
+            {all_x.first + (x0 - all_x.reached.begin), static_cast<std::size_t>(x1 - x0)},
+            {all_y.first + (y0 - all_y.reached.begin), static_cast<std::size_t>(y1 - y0)}};
 }
 
 template <class Sums>
@@ -182,16 +185,10 @@ void BasicFilmTile<Sums>::for_each_pixel(const Block& block, const Visit& visit)
 }
 
 template <class Sums>
-bool BasicFilmTile<Sums>::has_place(float x_px, float y_px) const noexcept {
-    return x_px >= static_cast<float>(places_.x0) && x_px <= static_cast<float>(places_.x1) &&
-           y_px >= static_cast<float>(places_.y0) && y_px <= static_cast<float>(places_.y1);
-}
-
-template <class Sums>
 void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sample,
                                  const SpectralSample& spectral) noexcept {
     assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
-    if (!setup_->footprint || !has_place(x_px, y_px)) return;
+    if (!footprint_ || !has_place(x_px, y_px)) return;
     const float share = kept_share(sample, max_luminance_);
     if (share == 0.0f) {
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
@@ -204,10 +201,6 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
     const Block block = block_reached(x_px, y_px);
     add_block(pixels_.data() + block.first, width_, block.x_weights, block.y_weights, exact_value);
-    std::uint32_t* counts = sample_counts_.data() + block.first;
-    for (std::size_t j = 0; j < block.y_weights.size(); ++j, counts += width_) {
-        for (std::size_t i = 0; i < block.x_weights.size(); ++i) ++counts[i];
-    }
     spread_touches_ += block.x_weights.size() * block.y_weights.size();
     if (has_channels_ || has_buckets_) [[unlikely]] {
         for_each_pixel(block, [&](std::size_t i, float weight) {
@@ -226,7 +219,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
     if (kept_share(sample, std::numeric_limits<float>::infinity()) == 0.0f) {
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
     }
-    const double per_area = 1.0 / setup_->footprint->area_px();
+    const double per_area = 1.0 / footprint_->area_px();
     for_each_pixel(block_reached(x_px, y_px), [&](std::size_t i, float weight) {
         const double density = static_cast<double>(weight) * per_area;
         const std::span<ExactSum> sums = channels_.sums(i);
@@ -257,7 +250,7 @@ template <class Sums>
 void BasicFilmTile<Sums>::add_aux_at(float x_px, float y_px, std::size_t layer,
                                      std::span<const float> values) noexcept {
     assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
-    if (!setup_->footprint || !has_place(x_px, y_px)) return;
+    if (!footprint_ || !has_place(x_px, y_px)) return;
     if (!is_aux_value(layer, values)) {
         ++dropped_aux_;
         return;
@@ -283,16 +276,13 @@ void BasicFilmTile<Sums>::add_aux_to(std::size_t i, std::size_t layer, std::span
 }
 
 template <class Sums>
-void BasicFilmTile<Sums>::carry(std::size_t i) noexcept {
-    if constexpr (requires(Pixel & pixel) { pixel.carry(); }) pixels_[i].carry();
-    sample_counts_[i] = std::min(sample_counts_[i], kMostSamples);
-}
-
-template <class Sums>
 void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
-    if (++spread_samples_ % kCountsPerCarry != 0) [[likely]]
-        return;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) carry(i);
+    ++spread_samples_;
+    if constexpr (kCarries) {
+        if (spread_samples_ % kSamplesPerCarry != 0) [[likely]]
+            return;
+        for (Pixel& pixel : pixels_) pixel.carry();
+    }
 }
 
 template <class Sums>

@@ -31,6 +31,7 @@ template <class Sums>
 class BasicFilmTile {
   public:
     using Pixel = typename Sums::TilePixel;
+    /// From so many samples in a pixel on, the film takes it for saturated.
     static constexpr std::uint32_t kMostSamples = 1u << 31;
 
     /// `places` must have pixels. The tile holds the film's pixels that samples there reach: a border more, if the film
@@ -95,11 +96,8 @@ class BasicFilmTile {
     /// Back to no samples, for the next use of the same bounds.
     void clear() noexcept;
 
-    /// Row by row, bounds().width() to a row.
+    /// Row by row, bounds().width() to a row. Dropped samples are not among a pixel's samples().
     [[nodiscard]] std::span<const Pixel> pixels() const noexcept { return pixels_; }
-    /// The number of samples in each pixel, without the dropped ones; as many as pixels(). From kMostSamples on it is
-    /// not exact, and the film takes the pixel for saturated.
-    [[nodiscard]] std::span<const std::uint32_t> sample_counts() const noexcept { return sample_counts_; }
     /// The further sums of the film's options, pixel by pixel.
     [[nodiscard]] const ChannelSums& channels() const noexcept { return channels_; }
     /// Samples that were added, each counted once, without the dropped ones.
@@ -118,13 +116,9 @@ class BasicFilmTile {
                                           static_cast<double>(value.z), static_cast<double>(weight));
         if (!usual) [[unlikely]]
             return accumulate_unusual(i, x, y, {value, luminance}, weight);
-        count(i);
+        carry_in_time(i);
         if (has_channels_) [[unlikely]]
             add_channels(i, value, weight);
-    }
-    void count(std::size_t i) noexcept {
-        if (++sample_counts_[i] % kCountsPerCarry == 0) [[unlikely]]
-            carry(i);
     }
 
     [[nodiscard]] std::size_t index(int x, int y) const noexcept {
@@ -148,30 +142,39 @@ class BasicFilmTile {
     /// Calls visit(pixel, weight) for each of them.
     template <class Visit>
     void for_each_pixel(const Block& block, const Visit& visit) noexcept;
-    [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept;
+    [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept {
+        return x_px >= least_x_px_ && x_px <= most_x_px_ && y_px >= least_y_px_ && y_px <= most_y_px_;
+    }
     [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
     void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;
 
-    /// Makes room in the sums and the count of a pixel.
-    void carry(std::size_t i) noexcept;
+    static constexpr bool kCarries = requires(Pixel & pixel) { pixel.carry(); };
+    /// Makes room in the sums of a pixel, once in so many samples.
+    void carry_in_time(std::size_t i) noexcept {
+        if constexpr (kCarries) {
+            if (pixels_[i].samples() % kSamplesPerCarry == 0) [[unlikely]]
+                pixels_[i].carry();
+        }
+    }
     /// The same for all pixels, once in so many splatted samples.
     void carry_all_in_time() noexcept;
     void drop(int x, int y, const XYZ& value, float weight) noexcept;
 
-    static constexpr std::uint32_t kCountsPerCarry = 1u << 23;
-    static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
+    static constexpr std::uint32_t kSamplesPerCarry = 1u << 23;
+    static_assert(kSamplesPerCarry <= ExactTilePixel::kAddsPerCarry);
 
     PixelBounds places_, bounds_;
-    std::ptrdiff_t width_, first_;  // pixel (x, y) is y width_ + x - first_
+    float least_x_px_, least_y_px_, most_x_px_, most_y_px_;  // places_
+    std::ptrdiff_t width_, first_;                           // pixel (x, y) is y width_ + x - first_
     std::shared_ptr<const FilmSetup> setup_;
     // Of the setup, at hand for every sample.
     const Sensor* sensor_;
+    const FilterFootprint* footprint_;  // null if nothing is splatted
     float max_luminance_;
     bool has_channels_, has_buckets_;
     int mean_groups_;
 
     std::vector<Pixel> pixels_;
-    std::vector<std::uint32_t> sample_counts_;
     ChannelSums channels_;
     int group_ = 0;
     std::uint64_t spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;

@@ -1,7 +1,5 @@
 #include "film/filter_footprint.h"
 
-#include <limits>
-
 #include "core/parameters.h"
 #include "film/cubic_fit.h"
 
@@ -48,13 +46,13 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     constexpr double kCellsPerRadius = 128.0, kMostPerPixel = 128.0;
     const double per_px = 2.0 * std::ceil(0.5 * std::min(kCellsPerRadius / table.radius_px, kMostPerPixel));
     table.cells_per_px = static_cast<float>(per_px);
-
-    // From anywhere in pixel 0, places 0 to 1.
-    table.first = static_cast<int>(std::floor(-0.5 - table.radius_px)) + 1;
-    const int end = static_cast<int>(std::floor(0.5 + table.radius_px)) + 1;
-    table.row = (static_cast<std::size_t>(end - table.first) + 3) / 4 * 4;
-    table.last_cell = static_cast<int>(per_px) - 1;
-    for (int i = 0; i <= table.last_cell; ++i) add_cell(table, axis, i / per_px, 1.0 / per_px);
+    int most = 0;
+    for (int i = 0; i < static_cast<int>(per_px); ++i) {
+        table.cells.push_back(make_cell(i / per_px, (i + 1) / per_px, table.radius_px));
+        most = std::max(most, table.cells.back().reach.end - table.cells.back().reach.begin);
+    }
+    table.row = (static_cast<std::size_t>(most) + 3) / 4 * 4;
+    for (std::size_t i = 0; i < table.cells.size(); ++i) add_cubics(table, axis, i);
 
     constexpr int kPanels = 512;
     for (int i = 0; i < kPanels; ++i) {
@@ -67,33 +65,62 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     return table;
 }
 
-void FilterFootprint::add_cell(AxisTable& table, FilterAxis axis, double begin, double width) const {
+FilterFootprint::Cell FilterFootprint::make_cell(double begin, double end, double radius) noexcept {
+    // From its first place, and from those just before its end.
+    const Reach first = reach_in_pixel_0(begin, radius);
+    const Reach last = {static_cast<int>(std::ceil(end - 0.5 - radius)),
+                        static_cast<int>(std::ceil(end - 0.5 + radius))};
+    return {{first.begin, last.end}, first.begin != last.begin || first.end != last.end};
+}
+
+FilterFootprint::Reach FilterFootprint::reach_in_pixel_0(double place, double radius) noexcept {
+    return {static_cast<int>(std::floor(place - 0.5 - radius)) + 1,
+            static_cast<int>(std::floor(place - 0.5 + radius)) + 1};
+}
+
+FilterFootprint::Reach FilterFootprint::reach_from_edge_cell(const AxisTable& table, Phase phase) noexcept {
+    // What the cell has no weights for is a rounding away from its edge, and has none.
+    const Reach reach = reach_in_pixel_0(static_cast<double>(phase.in_pixel), table.radius_px);
+    const Reach& most = table.cells[phase.cell].reach;
+    return {phase.pixel + std::max(reach.begin, most.begin), phase.pixel + std::min(reach.end, most.end)};
+}
+
+void FilterFootprint::add_cubics(AxisTable& table, FilterAxis axis, std::size_t cell) const {
+    const auto cells = static_cast<double>(table.cells.size());
+    const double begin = static_cast<double>(cell) / cells, width = 1.0 / cells;
+    const Reach& reach = table.cells[cell].reach;
     bool is_good = true;
     std::vector<float> coefficients(4 * table.row);
-    for (std::size_t k = 0; k < table.row; ++k) {
-        // A pixel that is out of reach from all of the cell has weights that nobody reads; past the radius, so have the
-        // others, and their cubics go on as they like.
-        const double centre = table.first + static_cast<int>(k) + 0.5;
-        const double distance = std::max({0.0, begin - centre, centre - (begin + width)});
-        if (distance >= table.radius_px) continue;
+    for (int pixel = reach.begin; pixel < reach.end; ++pixel) {
+        // Past the radius, weights have no reader, and cubics go on as they like.
+        const double centre = pixel + 0.5;
         const CubicFit fit = fit_cubic(
             [&](double t) { return table.mean_weight_scale * inside(filter_, axis, centre - (begin + t * width)); });
         is_good = is_good && fit.worst < kCubicTolerance;
+        const auto k = static_cast<std::size_t>(pixel - reach.begin);
         for (std::size_t i = 0; i < 4; ++i) {
             coefficients[k / 4 * 16 + 4 * i + k % 4] = static_cast<float>(fit.coefficient[i]);
         }
     }
-    if (!is_good) coefficients[0] = std::numeric_limits<float>::quiet_NaN();
+    table.cells[cell].has_cubics = is_good;
     table.coefficients.insert(table.coefficients.end(), coefficients.begin(), coefficients.end());
 }
 
-const float* FilterFootprint::weights_by_reference(FilterAxis axis, float place_px, Reach reached,
-                                                   float* weights) const noexcept {
+FilterFootprint::Weights FilterFootprint::unusual_weights(FilterAxis axis, float place_px,
+                                                          float* weights) const noexcept {
+    const Reach reached = reach(axis, place_px);
+    const AxisTable& axis_table = table(axis);
+    const Phase phase = axis_table.phase(place_px);
+    const Cell& cell = axis_table.cells[phase.cell];
+    if (cell.has_cubics) {
+        axis_table.cubics(phase.cell, phase.t, weights);
+        return {reached, weights + (reached.begin - phase.pixel - cell.reach.begin)};
+    }
     for (int i = reached.begin; i < reached.end; ++i) {
         weights[i - reached.begin] =
             static_cast<float>(weight_reference(axis, i + 0.5 - static_cast<double>(place_px)));
     }
-    return weights;
+    return {reached, weights};
 }
 
 double FilterFootprint::weight_reference(FilterAxis axis, double offset_px) const noexcept {

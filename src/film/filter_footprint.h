@@ -33,27 +33,33 @@ class FilterFootprint {
     };
     /// What is reached from a place, which must be within 2^22 pixels of 0.
     [[nodiscard]] Reach reach(FilterAxis axis, float place_px) const noexcept {
-        const double radius = table(axis).radius_px, centre = static_cast<double>(place_px) - 0.5;
-        return {static_cast<int>(std::floor(centre - radius)) + 1, static_cast<int>(std::floor(centre + radius)) + 1};
+        const AxisTable& axis_table = table(axis);
+        const Phase phase = axis_table.phase(place_px);
+        const Cell& cell = axis_table.cells[phase.cell];
+        if (cell.has_edge) [[unlikely]]
+            return reach_from_edge_cell(axis_table, phase);
+        return {phase.pixel + cell.reach.begin, phase.pixel + cell.reach.end};
     }
 
-    /// Numbers of type float that weights() needs room for: the most pixels of an axis, rounded up to fours.
+    /// Numbers of type float that weights() needs room for: the most pixels reached, rounded up to fours.
     [[nodiscard]] std::size_t room(FilterAxis axis) const noexcept { return table(axis).row; }
 
-    /// Puts the weights of the pixels reached into `weights`, which must have room(axis), and returns the first: its
-    /// neighbours follow. By cubics where these are the filter to 2e-6 of the mean weight; where they are not, within
-    /// cells that hold an edge of the filter and for shapes narrower than a few cells, by the filter itself.
-    [[nodiscard]] const float* weights(FilterAxis axis, float place_px, Reach reached, float* weights) const noexcept {
+    /// The weights of the pixels reached; the first one's neighbours follow.
+    struct Weights {
+        Reach reached;
+        const float* first = nullptr;
+    };
+    /// Puts them into `weights`, which must have room(axis). By cubics where these are the filter to 2e-6 of the mean
+    /// weight; where they are not, within cells that hold an edge of the filter and for shapes narrower than a few
+    /// cells, by the filter itself.
+    [[nodiscard]] Weights weights(FilterAxis axis, float place_px, float* weights) const noexcept {
         const AxisTable& axis_table = table(axis);
-        const float pixel = std::floor(place_px);
-        const float scaled = (place_px - pixel) * axis_table.cells_per_px;
-        const int index = std::min(static_cast<int>(scaled), axis_table.last_cell);
-        const float t = scaled - static_cast<float>(index);
-        const float* const c = axis_table.coefficients.data() + static_cast<std::size_t>(index) * 4 * axis_table.row;
-        for (std::size_t i = 0; i < axis_table.row; i += 4) four_cubics(c + 4 * i, t, weights + i);
-        if (std::isnan(weights[0])) [[unlikely]]
-            return weights_by_reference(axis, place_px, reached, weights);
-        return weights + (reached.begin - static_cast<int>(pixel) - axis_table.first);
+        const Phase phase = axis_table.phase(place_px);
+        const Cell& cell = axis_table.cells[phase.cell];
+        if (cell.has_edge || !cell.has_cubics) [[unlikely]]
+            return unusual_weights(axis, place_px, weights);
+        axis_table.cubics(phase.cell, phase.t, weights);
+        return {{phase.pixel + cell.reach.begin, phase.pixel + cell.reach.end}, weights};
     }
 
     /// One of them, in double precision and with f evaluated at the place.
@@ -70,31 +76,53 @@ class FilterFootprint {
     [[nodiscard]] PixelBounds reached_from(const PixelBounds& places) const noexcept;
 
   private:
-    // Of pixel first + k, if the place is in pixel 0 and at t in [0, 1] within its cell: c0 + t (c1 + t (c2 + t c3)).
-    // 4 row coefficients to a cell, in blocks of four pixels: their c0, their c1, ... The first c0 of a cell is NaN if
-    // cubics will not do there.
+    // Where a place is: its pixel, its cell there, and how far it is into both.
+    struct Phase {
+        int pixel = 0;
+        std::size_t cell = 0;
+        float in_pixel = 0.0f, t = 0.0f;  // in [0, 1)
+    };
+    struct Cell {
+        Reach reach;              // from anywhere in the cell, if it is in pixel 0
+        bool has_edge = false;    // from parts of it, less is reached
+        bool has_cubics = false;  // or else they will not do there
+    };
+    // Of pixel cell.reach.begin + k, if the place is in pixel 0: c0 + t (c1 + t (c2 + t c3)). 4 row coefficients to a
+    // cell, in blocks of four pixels: their c0, their c1, ...
     struct AxisTable {
         double radius_px = 0.0;
         double mean_weight_scale = 0.0;  // 2 radius / integral of f
         double mean_square_weight = 0.0;
         float cells_per_px = 0.0f;
-        int last_cell = 0;
-        int first = 0;        // the first pixel that is reached from anywhere in pixel 0
-        std::size_t row = 0;  // pixels that are, rounded up to fours
+        std::vector<Cell> cells;
+        std::size_t row = 0;  // the most pixels that are reached from a cell, rounded up to fours
         std::vector<float> coefficients;
+
+        [[nodiscard]] Phase phase(float place_px) const noexcept {
+            // Below 0 the difference may round to 1.
+            constexpr float kLast = 0x1.fffffep-1f;
+            const float pixel = std::floor(place_px), in_pixel = std::min(place_px - pixel, kLast);
+            const float scaled = in_pixel * cells_per_px, cell = std::floor(scaled);
+            return {static_cast<int>(pixel), static_cast<std::size_t>(static_cast<int>(cell)), in_pixel, scaled - cell};
+        }
+        void cubics(std::size_t cell, float t, float* weights) const noexcept {
+            using AnyFloat4 [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+            const std::size_t end = row;
+            const float* c = coefficients.data() + cell * 4 * end;
+            for (std::size_t i = 0; i < end; i += 4, c += 16) {
+                const auto four = [c](int k) { return *reinterpret_cast<const AnyFloat4*>(c + 4 * k); };
+                *reinterpret_cast<AnyFloat4*>(weights + i) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
+            }
+        }
     };
 
-    static void four_cubics(const float* c, float t, float* weights) noexcept {
-        using AnyFloat4 [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
-        const auto four = [c](int i) { return *reinterpret_cast<const AnyFloat4*>(c + 4 * i); };
-        *reinterpret_cast<AnyFloat4*>(weights) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
-    }
-
     [[nodiscard]] AxisTable make_table(FilterAxis axis) const;
-    void add_cell(AxisTable& table, FilterAxis axis, double begin, double width) const;
+    void add_cubics(AxisTable& table, FilterAxis axis, std::size_t cell) const;
     [[nodiscard]] const AxisTable& table(FilterAxis axis) const noexcept { return axis == FilterAxis::x ? x_ : y_; }
-    [[nodiscard]] const float* weights_by_reference(FilterAxis axis, float place_px, Reach reached,
-                                                    float* weights) const noexcept;
+    [[nodiscard]] static Cell make_cell(double begin, double end, double radius) noexcept;
+    [[nodiscard]] static Reach reach_in_pixel_0(double place, double radius) noexcept;
+    [[nodiscard]] static Reach reach_from_edge_cell(const AxisTable& table, Phase phase) noexcept;
+    [[nodiscard]] Weights unusual_weights(FilterAxis axis, float place_px, float* weights) const noexcept;
 
     Filter filter_;
     AxisTable x_, y_;

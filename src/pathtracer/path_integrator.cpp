@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "pathtracer/surface.h"
 #include "pathtracer/vector_math.h"
 
 namespace emulsion {
@@ -23,7 +22,7 @@ constexpr float kShadowRayEnd = 1.0f - 1e-5f;
 }  // namespace
 
 template <int N>
-void PathIntegrator<N>::trace(std::span<Path<N>> paths) {
+void PathIntegrator<N>::trace(std::span<Path<N>> paths, std::span<FirstHit> first_hits) {
     active_.resize(paths.size());
     std::iota(active_.begin(), active_.end(), 0u);
     for (int depth = 0; !active_.empty(); ++depth) {
@@ -31,6 +30,7 @@ void PathIntegrator<N>::trace(std::span<Path<N>> paths) {
         hits_.resize(active_.size());
         for (std::size_t i = 0; i < active_.size(); ++i) rays_[i] = paths[active_[i]].ray;
         scene_.accelerator().intersect(rays_, hits_);
+        if (depth == 0 && !first_hits.empty()) note_first_hits(scene_, rays_, hits_, first_hits);
 
         // The paths that go on move up; their order stays, and with it their neighbourhood.
         std::size_t going_on = 0;
@@ -64,15 +64,7 @@ void PathIntegrator<N>::add_background(Path<N>& path) const noexcept {
 template <int N>
 bool PathIntegrator<N>::scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth) {
     const auto& shape = scene_.shape(hit.shape);
-    SurfacePoint point;
-    if (shape.mesh != nullptr) {
-        point = surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
-    } else {
-        const Imath::V3d along =
-            Imath::V3d(path.ray.origin) + static_cast<double>(hit.t) * Imath::V3d(path.ray.direction);
-        point = surface_point(*shape.sphere, point_at(*shape.sphere, along));
-    }
-
+    const SurfacePoint point = surface_point(shape, path.ray, hit);
     if (shape.first_emitter) {
         add_emission(path, scene_.emitters()[*shape.first_emitter + hit.primitive], point, shape.two_sided);
     }

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "film/film_tile.h"
+#include "pathtracer/aux_layers.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/sample_sequence.h"
 #include "spectrum/sampled_spectrum.h"
@@ -28,14 +30,20 @@ struct Path {
     Imath::V3f last_vertex{0.0f};       ///< where that was: the point for which the lights' densities were taken
 };
 
+/// Adds what a path has gathered around its place in the picture. Not inline, as that would cost the samples of other
+/// films, which are added elsewhere.
+template <int N>
+void add_at(FilmTile& tile, float x_px, float y_px, const Path<N>& path) noexcept;
+
 template <int N>
 class PathIntegrator {
   public:
     /// `max_depth` >= 0: the longest path, in scattering events.
     PathIntegrator(const PreparedScene& scene, int max_depth) noexcept : scene_(scene), max_depth_(max_depth) {}
 
-    /// Follows the paths to their ends and leaves what they gathered in their `radiance`.
-    void trace(std::span<Path<N>> paths);
+    /// Follows the paths to their ends and leaves what they gathered in their `radiance`. `first_hits`, unless it is
+    /// empty, gets what each of them met first.
+    void trace(std::span<Path<N>> paths, std::span<FirstHit> first_hits = {});
 
   private:
     struct ShadowRay {
@@ -61,10 +69,16 @@ class PathIntegrator {
 };
 
 extern template class PathIntegrator<1>;
+extern template void add_at<1>(FilmTile&, float, float, const Path<1>&) noexcept;
 extern template class PathIntegrator<2>;
+extern template void add_at<2>(FilmTile&, float, float, const Path<2>&) noexcept;
 extern template class PathIntegrator<4>;
+extern template void add_at<4>(FilmTile&, float, float, const Path<4>&) noexcept;
 extern template class PathIntegrator<8>;
+extern template void add_at<8>(FilmTile&, float, float, const Path<8>&) noexcept;
 extern template class PathIntegrator<16>;
+extern template void add_at<16>(FilmTile&, float, float, const Path<16>&) noexcept;
 extern template class PathIntegrator<32>;
+extern template void add_at<32>(FilmTile&, float, float, const Path<32>&) noexcept;
 
 }  // namespace emulsion

@@ -11,6 +11,7 @@
 #include "pathtracer/emitters.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/sphere.h"
+#include "pathtracer/surface.h"
 #include "spectrum/spectrum_table.h"
 
 namespace emulsion {
@@ -65,5 +66,14 @@ class PreparedScene {
     std::vector<std::uint32_t> infinite_emitters_;
     EmitterPicker picker_;
 };
+
+/// Where a ray has met a shape of the scene. Inlined by force: the integrator is compiled for so many numbers of
+/// wavelengths that the compiler's budget for the file runs out before it.
+[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene::PreparedShape& shape, const Ray& ray,
+                                                const Hit& hit) noexcept {
+    if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
+    const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
+    return surface_point(*shape.sphere, point_at(*shape.sphere, along));
+}
 
 }  // namespace emulsion

@@ -1,58 +1,63 @@
 #include "pathtracer/render.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/parallel.h"
 #include "film/filter_sampler.h"
+#include "pathtracer/aux_layers.h"
 #include "pathtracer/camera.h"
 #include "pathtracer/path_integrator.h"
+#include "pathtracer/sample_sequence.h"
 #include "spectrum/wavelength_sampling.h"
 
 namespace emulsion {
 
 namespace {
 
-/// Neither shows in the picture: the film's sums are exact.
-constexpr int kTileSize_px = 16;
-constexpr int kSamplesPerRound = 16;
-
-/// The first rounds are of 1, 1, 2, 4 and 8 samples, so that a picture is soon whole, if noisy.
-constexpr int round_end(int begin) noexcept { return begin + std::clamp(begin, 1, kSamplesPerRound); }
-
 /// Paths traced together: enough to fill Embree's packets down to the last bounces, few enough to stay in cache.
 constexpr std::size_t kBatchSize = 256;
 
-/// Renders rounds of tiles with N wavelengths per path.
+/// Renders tiles with N wavelengths per path.
 template <int N>
 class TileRenderer {
   public:
-    TileRenderer(const PreparedScene& scene, const RenderOptions& options, Film& film)
+    TileRenderer(const PreparedScene& scene, const RenderOptions& options, const Film& film)
         : scene_(scene),
           options_(options),
           film_(film),
+          is_splatted_(film.options().filter_use == FilterUse::splatted),
           sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
           filter_(film.options().filter),
-          camera_(scene.scene().camera, film.options().width_px, film.options().height_px) {}
+          camera_(scene.scene().camera, film.options().width_px, film.options().height_px),
+          aux_(scene.scene(), film.options().aux) {}
 
-    /// Samples [begin, end) of every pixel within the bounds.
-    void render_tile(PixelBounds bounds, int begin, int end) const {
+    /// These samples of every pixel within the bounds, some of which may lie outside the frame.
+    [[nodiscard]] FilmTile render_tile(PixelBounds bounds, SampleRange samples) const {
         FilmTile tile = film_.make_tile(bounds);
         PathIntegrator<N> integrator(scene_, scene_.scene().integrator.max_depth);
         std::vector<Start> starts;
         std::vector<Path<N>> paths;
+        std::vector<FirstHit> first_hits(aux_.empty() ? 0 : kBatchSize);
         starts.reserve(kBatchSize);
         paths.reserve(kBatchSize);
         const auto finish_batch = [&] {
-            integrator.trace(paths);
+            const std::span<FirstHit> hits(first_hits.data(), aux_.empty() ? 0 : paths.size());
+            integrator.trace(paths, hits);
             for (std::size_t i = 0; i < paths.size(); ++i) {
-                tile.add(starts[i].x, starts[i].y, paths[i].wavelengths, paths[i].radiance, starts[i].weight);
+                add(tile, starts[i], paths[i]);
+                if (!hits.empty()) [[unlikely]]
+                    add_aux(tile, starts[i], hits[i]);
             }
             starts.clear();
             paths.clear();
         };
+        const auto begin = static_cast<int>(samples.begin), end = static_cast<int>(samples.end);
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
                 for (int i = begin; i < end; ++i) {
@@ -62,13 +67,13 @@ class TileRenderer {
             }
         }
         finish_batch();
-        film_.merge(tile);
+        return tile;
     }
 
   private:
     struct Start {
-        int x, y;
-        float weight;
+        int x, y, sample_index;
+        float x_px, y_px, weight;
     };
 
     Start start_path(int x, int y, int sample_index, Path<N>& path) const noexcept {
@@ -76,37 +81,67 @@ class TileRenderer {
         path.wavelengths = hero_wavelengths<N>(wavelength_pdf_, path.samples.next_1d());
         path.index = SpectrumTableIndex<N>(path.wavelengths.lambda_nm);
         const auto [u, v] = path.samples.next_2d();
-        const FilterSample place = filter_.sample(u, v);
-        path.ray = camera_.ray(static_cast<float>(x) + 0.5f + place.x_offset_px,
-                               static_cast<float>(y) + 0.5f + place.y_offset_px);
-        return {x, y, place.weight};
+        Start start{x, y, sample_index, static_cast<float>(x) + u, static_cast<float>(y) + v, 1.0f};
+        if (!is_splatted_) {
+            const FilterSample place = filter_.sample(u, v);
+            start.x_px = static_cast<float>(x) + 0.5f + place.x_offset_px;
+            start.y_px = static_cast<float>(y) + 0.5f + place.y_offset_px;
+            start.weight = place.weight;
+        }
+        path.ray = camera_.ray(start.x_px, start.y_px);
+        return start;
+    }
+
+    void add(FilmTile& tile, const Start& start, const Path<N>& path) const noexcept {
+        tile.set_sample_index(static_cast<std::uint64_t>(start.sample_index));
+        if (is_splatted_) [[unlikely]]
+            return add_at(tile, start.x_px, start.y_px, path);
+        tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
+    }
+    void add_aux(FilmTile& tile, const Start& start, const FirstHit& hit) const noexcept {
+        if (is_splatted_) return aux_.add_at(tile, start.x_px, start.y_px, hit);
+        aux_.add(tile, start.x, start.y, start.weight, hit);
     }
 
     const PreparedScene& scene_;
     const RenderOptions& options_;
-    Film& film_;
+    const Film& film_;
+    bool is_splatted_;
     Sampler sampler_;
     FilterSampler filter_;
     CameraRays camera_;
+    AuxLayers aux_;
     VisibleWavelengthPdf wavelength_pdf_;
 };
 
 template <int N>
-void render_with(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress) {
-    const TileRenderer<N> renderer(scene, options, film);
-    const int width = film.options().width_px, height = film.options().height_px;
-    const int columns = (width + kTileSize_px - 1) / kTileSize_px, rows = (height + kTileSize_px - 1) / kTileSize_px;
-    int end = 0;
-    for (int begin = 0; begin < options.samples_per_pixel && !progress.stop; begin = end) {
-        end = std::min(round_end(begin), options.samples_per_pixel);
-        parallel_for(0, columns * rows, options.threads, [&](int i) {
+void render_with(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film,
+                 RenderProgress& progress) {
+    const TileRenderer<N> renderer(scene, options, film.film());
+    const PixelBounds places = film.film().sample_bounds();
+    while (const auto round = progress.stop ? std::nullopt : film.next_round(samples_of(options))) {
+        parallel_for(0, static_cast<int>(round->tiles.size()), options.threads, [&](int i) {
             if (progress.stop.load(std::memory_order_relaxed)) return;
-            const int x = (i % columns) * kTileSize_px, y = (i / columns) * kTileSize_px;
-            const PixelBounds bounds{x, y, std::min(x + kTileSize_px, width), std::min(y + kTileSize_px, height)};
-            renderer.render_tile(bounds, begin, end);
-            progress.samples_done += static_cast<std::int64_t>(bounds.width()) * bounds.height() * (end - begin);
+            const std::size_t tile = round->tiles[static_cast<std::size_t>(i)];
+            const PixelBounds bounds = tile_bounds(places, round->tile_px, tile);
+            film.merge(renderer.render_tile(bounds, round->samples), *round, tile);
+            progress.samples_done += static_cast<std::int64_t>(bounds.width()) * bounds.height() *
+                                     static_cast<std::int64_t>(round->samples.size());
         });
     }
+}
+
+void require_same(const char* what, const std::string& of_film, const std::string& of_render) {
+    if (of_film == of_render) return;
+    throw std::invalid_argument(std::string("film in progress: its ") + what + " is \"" + of_film + "\", expected \"" +
+                                of_render + "\"");
+}
+
+/// x0, x1, y0, y1 as parts of a frame, in whole pixels: as pbrt-v4 rounds them.
+PixelBounds pixels_of(const std::array<double, 4>& window, int width_px, int height_px) noexcept {
+    const auto pixels = [](double part, int size_px) { return static_cast<int>(std::ceil(part * size_px)); };
+    return {pixels(window[0], width_px), pixels(window[2], height_px), pixels(window[1], width_px),
+            pixels(window[3], height_px)};
 }
 
 }  // namespace
@@ -118,14 +153,36 @@ void validate(const RenderOptions& options) {
     if (options.samples_per_pixel < 1 || options.samples_per_pixel > (1 << 24)) {
         refuse("samples_per_pixel", options.samples_per_pixel, "in [1, 16777216]");
     }
+    const SampleRange samples = samples_of(options);
+    if (samples.begin >= samples.end || samples.end > static_cast<std::uint64_t>(options.samples_per_pixel)) {
+        throw std::invalid_argument("samples [" + std::to_string(samples.begin) + ", " + std::to_string(samples.end) +
+                                    "): must be some of [0, " + std::to_string(options.samples_per_pixel) + ")");
+    }
     if (std::find(kWavelengthCounts.begin(), kWavelengthCounts.end(), options.wavelengths) == kWavelengthCounts.end()) {
         refuse("wavelengths", options.wavelengths, "1, 2, 4, 8, 16 or 32");
     }
     if (options.threads < 0) refuse("threads", options.threads, "at least 0");
 }
 
-void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress) {
+SampleRange samples_of(const RenderOptions& options) noexcept {
+    return options.samples.value_or(SampleRange{0, static_cast<std::uint64_t>(options.samples_per_pixel)});
+}
+
+FilmProvenance provenance_of(const Scene& scene, const RenderOptions& options) {
+    FilmProvenance provenance;
+    provenance.scene = scene.hash;
+    provenance.sampling = to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
+                          " seed=" + std::to_string(options.seed) +
+                          " wavelengths=" + std::to_string(options.wavelengths) +
+                          " renderer=emulsion-" EMULSION_VERSION;
+    return provenance;
+}
+
+void render(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film, RenderProgress& progress) {
     validate(options);
+    const FilmProvenance expected = provenance_of(scene.scene(), options), found = film.provenance();
+    require_same("scene", found.scene, expected.scene);
+    require_same("sampling", found.sampling, expected.sampling);
     switch (options.wavelengths) {
         case 1:
             return render_with<1>(scene, options, film, progress);
@@ -142,10 +199,19 @@ void render(const PreparedScene& scene, const RenderOptions& options, Film& film
     }
 }
 
+void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress) {
+    validate(options);
+    FilmInProgress in_progress(film, provenance_of(scene.scene(), options));
+    render(scene, options, in_progress, progress);
+}
+
 FilmOptions film_options(const Scene& scene) {
+    std::optional<PixelBounds> crop = scene.film.pixel_bounds;
+    if (scene.film.crop_window) crop = pixels_of(*scene.film.crop_window, scene.film.width_px, scene.film.height_px);
     return {.width_px = scene.film.width_px,
             .height_px = scene.film.height_px,
             .sensor = scene.film.sensor,
+            .crop = crop,
             .filter = scene.filter};
 }
 

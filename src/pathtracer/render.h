@@ -3,34 +3,52 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "film/film.h"
+#include "film/film_provenance.h"
+#include "pathtracer/film_in_progress.h"
 #include "pathtracer/prepared_scene.h"
 
 namespace emulsion {
 
 struct RenderOptions {
-    int samples_per_pixel = 16;  ///< in [1, 2^24]
-    std::uint64_t seed = 0;      ///< another seed, another independent picture
-    int wavelengths = 4;         ///< per path; one of kWavelengthCounts
-    int threads = 0;             ///< >= 0; 0: one per hardware thread
+    int samples_per_pixel = 16;  ///< in [1, 2^24]; of the whole picture: a stratified sampler's strata depend on it
+    /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
+    std::optional<SampleRange> samples = std::nullopt;
+    std::uint64_t seed = 0;  ///< another seed, another independent picture
+    int wavelengths = 4;     ///< per path; one of kWavelengthCounts
+    int threads = 0;         ///< >= 0; 0: one per hardware thread
 };
 
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const RenderOptions& options);
 
+/// The samples that these options ask for.
+[[nodiscard]] SampleRange samples_of(const RenderOptions& options) noexcept;
+
 /// Shared with whoever waits for the picture.
 struct RenderProgress {
-    std::atomic<std::int64_t> samples_done{
-        0};                         ///< paths finished and in the film, of width * height * samples per pixel
-    std::atomic<bool> stop{false};  ///< set it, and render() returns soon, with what is done in the film
+    std::atomic<std::int64_t> samples_done{0};  ///< paths finished and in the film, of FilmInProgress::missing_paths
+    std::atomic<bool> stop{false};              ///< set it, and render() returns soon, with what is done in the film
 };
 
-/// Adds options.samples_per_pixel paths to every pixel of the film, whose size gives the resolution. The film's sums
-/// depend on scene, seed, sample count and the build: every number of threads gives the same bits. (Embree picks its
-/// instructions by the processor: another type of processor may differ by rounding.) Samples are added in rounds over
-/// the whole picture, the first of one sample per pixel: from then on a picture that is stopped early is whole.
-/// \throws std::invalid_argument as validate() does.
+/// What a film of this scene and these options is of, before it has any samples: films of the same scene and sampling
+/// can go on from, and be added to, each other.
+[[nodiscard]] FilmProvenance provenance_of(const Scene& scene, const RenderOptions& options);
+
+/// Adds the samples of samples_of(options) that the film does not have yet to each pixel that its picture needs; goes
+/// on with a partial round where it was left. The film's size and crop window are the picture's, and layers that it
+/// asks for are filled in, by the names of known_aux_layers(): pathtracer/aux_layers.h says what with.
+///
+/// The film's sums depend on scene, seed, samples and the build: every number of threads, every crop window and every
+/// way of sharing samples out over runs gives the same bits. (Embree picks its instructions by the processor: another
+/// type of processor may differ by rounding.) Samples are added in rounds over the whole picture, the first of one
+/// sample per pixel: from then on a picture that is stopped early is whole.
+/// \throws std::invalid_argument as validate() does; if the film has samples of another scene or sampling; and for an
+/// auxiliary layer of another name.
+void render(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film, RenderProgress& progress);
+/// The same with a film that has no samples of this scene yet, and whose account nobody needs.
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress);
 
 /// The film that a scene asks for.

@@ -26,7 +26,18 @@ Sampler with_count(StratifiedSampler sampler, int count) noexcept {
     return sampler;
 }
 
+std::string text_of(const IndependentSampler&) { return "independent"; }
+std::string text_of(const PaddedSobolSampler&) { return "padded-sobol"; }
+std::string text_of(const StratifiedSampler& sampler) {
+    return "stratified:x=" + std::to_string(sampler.x_samples) + ",y=" + std::to_string(sampler.y_samples) +
+           ",jitter=" + (sampler.jitter ? "yes" : "no");
+}
+
 }  // namespace
+
+std::string to_text(const Sampler& sampler) {
+    return std::visit([](const auto& s) { return text_of(s); }, sampler);
+}
 
 int samples_per_pixel(const Sampler& sampler) noexcept {
     return std::visit([](const auto& s) { return count_of(s); }, sampler);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "core/low_discrepancy.h"
 #include "core/random.h"
@@ -97,6 +98,10 @@ class SampleSequence {
 
 /// The number of samples per pixel that the sampler was asked for.
 [[nodiscard]] int samples_per_pixel(const Sampler& sampler) noexcept;
+
+/// What decides the numbers of a sample: "independent", "stratified:x=4,y=4,jitter=yes", "padded-sobol". The number of
+/// samples is part of it only where it matters: the first 16 of 64 independent samples are those of 16.
+[[nodiscard]] std::string to_text(const Sampler& sampler);
 
 /// The same sampler for another number of samples per pixel, >= 1; strata are made as square as the number allows.
 [[nodiscard]] Sampler with_samples_per_pixel(const Sampler& sampler, int count) noexcept;

@@ -13,6 +13,7 @@
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
+#include "core/image.h"
 #include "film/filter.h"
 #include "film/pixel_type.h"
 #include "film/sensor_options.h"
@@ -114,6 +115,10 @@ struct FilmSettings {
     std::string filename;       ///< as the scene gives it; empty if it doesn't
     SensorOptions sensor = {};  ///< the exposure time is the camera's
     PixelType pixel_type = PixelType::float32;
+    /// x0, x1, y0, y1 of the pixels to render, as parts of width and height in [0, 1], each rounded up to whole pixels;
+    /// unset: all. pixel_bounds says the same in pixels; at most one of the two is set.
+    std::optional<std::array<double, 4>> crop_window = std::nullopt;
+    std::optional<PixelBounds> pixel_bounds = std::nullopt;
 };
 
 struct PathIntegratorSettings {
@@ -130,6 +135,8 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Light> lights;
+    /// Of the contents of all files that the scene was read from (core/content_hash.h); empty: of no file.
+    std::string hash;
     std::vector<std::string> warnings;  ///< file:line:column: what was taken otherwise than written, and how
 };
 

@@ -60,8 +60,8 @@ constexpr auto kRgbFilm = std::to_array<ParameterSpec>({
     {.name = "sensor", .kind = string, .choices = kSensors},
     {.name = "iso", .range = positive},
     {.name = "diagonal", .range = positive},  // of no effect on a perspective camera
-    {.name = "cropwindow", .support = pbrt_only},
-    {.name = "pixelbounds", .support = pbrt_only},
+    {.name = "cropwindow", .count = 4, .range = not_negative},
+    {.name = "pixelbounds", .kind = integer, .count = 4, .range = not_negative},
     {.name = "whitebalance", .range = not_negative},
     {.name = "maxcomponentvalue", .support = pbrt_only},
 });

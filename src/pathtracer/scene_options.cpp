@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pathtracer/scene_transform.h"
 
@@ -58,6 +59,37 @@ std::optional<WhiteBalance> read_white_balance(const ParameterList& list) {
                          "a colour temperature from 1000 to 24986 K, or 0 for no white balance");
     }
     return balance;
+}
+
+/// Whether four numbers x0, x1, y0, y1 are an area within these bounds.
+bool is_area(const std::vector<double>& numbers, double width, double height) noexcept {
+    return numbers[0] < numbers[1] && numbers[1] <= width && numbers[2] < numbers[3] && numbers[3] <= height;
+}
+
+void read_crop(const ParameterList& list, FilmSettings& film) {
+    const SceneParameter* const window = find_parameter(list, "cropwindow");
+    const SceneParameter* const bounds = find_parameter(list, "pixelbounds");
+    if (window != nullptr && bounds != nullptr) {
+        throw SceneError(bounds->place, R"("pixelbounds" beside "cropwindow")", "one of the two");
+    }
+    if (window != nullptr) {
+        const std::vector<double>& n = window->numbers;
+        if (!is_area(n, 1.0, 1.0)) {
+            throw SceneError(window->first_value, fmt::format("a crop window of {}", fmt::join(n, " ")),
+                             "x0 < x1 and y0 < y1, in this order, from 0 to 1");
+        }
+        film.crop_window = {n[0], n[1], n[2], n[3]};
+    }
+    if (bounds != nullptr) {
+        const std::vector<double>& n = bounds->numbers;
+        if (!is_area(n, film.width_px, film.height_px)) {
+            throw SceneError(
+                bounds->first_value, fmt::format("pixel bounds of {}", fmt::join(n, " ")),
+                fmt::format("x0 < x1 <= {} and y0 < y1 <= {}, in this order", film.width_px, film.height_px));
+        }
+        film.pixel_bounds = {static_cast<int>(n[0]), static_cast<int>(n[2]), static_cast<int>(n[1]),
+                             static_cast<int>(n[3])};
+    }
 }
 
 template <class T>
@@ -172,6 +204,7 @@ void read_film(const ParameterList& list, FilmSettings& film) {
         throw SceneError(list.place, fmt::format("{} x {} pixels", film.width_px, film.height_px),
                          fmt::format("at most {} in all", std::numeric_limits<int>::max()));
     }
+    read_crop(list, film);
     film.filename = string_or(list, "filename", "");
     film.pixel_type = flag_or(list, "savefp16", Flag::off) == Flag::on ? PixelType::half : PixelType::float32;
     film.sensor.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",

@@ -2,6 +2,7 @@
 // What stands before WorldBegin: Camera, Film, Sampler, PixelFilter, Integrator. Names, defaults and meaning are those
 // of pbrt-v4, but for two defaults: the sampler is "paddedsobol" of 16 samples, and films are stored as 32-bit floats
 // unless "bool savefp16" true says otherwise. PixelFilter takes two filters more: "catmull-rom" and "blackman-harris".
+// A crop window that leaves the frame is an error, not cut off, and so are "cropwindow" and "pixelbounds" together.
 
 #include <Imath/ImathMatrix.h>
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/content_hash.h"
 #include "core/text_file.h"
 #include "pathtracer/scene_builder.h"
 #include "pathtracer/scene_lexer.h"
@@ -161,16 +162,21 @@ Scene read_scene(const std::filesystem::path& path) { return parse_scene(read_te
 Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
     const SourceText source{name, text};
     Lexer lexer(source);
-    SceneBuilder scene(name.parent_path());
+    SceneBuilder builder(name.parent_path());
     while (lexer.peek().kind != TokenKind::end) {
-        Reading reading{lexer, scene, lexer.next()};
+        Reading reading{lexer, builder, lexer.next()};
         const Token& token = reading.directive;
         if (token.kind != TokenKind::word) throw SceneError(token.place, describe(token), "a directive");
         const auto& directive = supported_row<Directive>(token.place, {"directive"}, token.text, kDirectives);
-        check_block(token, directive, scene.block());
+        check_block(token, directive, builder.block());
         directive.run(reading);
     }
-    return scene.finish(lexer.peek().place);
+    Scene scene = builder.finish(lexer.peek().place);
+    ContentHash hash;
+    hash.add(text);
+    hash.add(builder.files_read().hex());
+    scene.hash = hash.hex();
+    return scene;
 }
 
 }  // namespace emulsion

@@ -81,7 +81,7 @@ PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path, co
 }
 
 /// A named spectrum, or one from a file.
-Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem::path& folder, const Bounds& bounds) {
+Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files, const Bounds& bounds) {
     const std::string& name = parameter.strings.front();
     if (const auto named = named_spectrum(name)) {
         const auto* const table = std::get_if<PiecewiseLinearSpectrum>(&*named);
@@ -91,7 +91,7 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem
         }
         return *named;
     }
-    const std::filesystem::path path = folder / name;
+    const std::filesystem::path path = files.folder / name;
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) throw_unknown_spectrum(parameter.first_value, name);
     std::string content;
@@ -101,6 +101,9 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, const std::filesystem
         throw SceneError(parameter.first_value, fmt::format("spectrum {} ({})", quote(name), error.reason()),
                          "a known one, or a file that can be read");
     }
+    // With its size, so that the end of one file and the beginning of the next don't pass for each other.
+    files.contents.add(fmt::format("{}:", content.size()));
+    files.contents.add(content);
     return read_spectrum_file(path, content, bounds);
 }
 
@@ -118,7 +121,7 @@ RGBd rgb_of(const SceneParameter& parameter, const Bounds& bounds) {
 }
 
 /// Every type but rgb.
-Spectrum spectrum_of(const SceneParameter& parameter, const std::filesystem::path& folder, const Bounds& bounds) {
+Spectrum spectrum_of(const SceneParameter& parameter, SpectrumFiles& files, const Bounds& bounds) {
     const std::vector<double>& numbers = parameter.numbers;
     if (parameter.type == DeclaredType::blackbody) {
         if (numbers.size() != 1) {
@@ -132,7 +135,7 @@ Spectrum spectrum_of(const SceneParameter& parameter, const std::filesystem::pat
         return BlackbodySpectrum{numbers[0]};
     }
     if (!parameter.strings.empty()) {
-        if (parameter.strings.size() == 1) return spectrum_of_name(parameter, folder, bounds);
+        if (parameter.strings.size() == 1) return spectrum_of_name(parameter, files, bounds);
         throw SceneError(parameter.place, fmt::format("{} names for one spectrum", parameter.strings.size()), "1");
     }
     if (numbers.size() % 2 != 0) {
@@ -153,13 +156,13 @@ const RgbUplift& SpectrumReader::uplift() {
 }
 
 Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
-    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, folder_, kReflectanceBounds);
+    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, files_, kReflectanceBounds);
     return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
 ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
     Spectrum spectrum = parameter.type == DeclaredType::rgb ? Spectrum(uplift().light(rgb_of(parameter, kLightBounds)))
-                                                            : spectrum_of(parameter, folder_, kLightBounds);
+                                                            : spectrum_of(parameter, files_, kLightBounds);
     const double scale = unit_scale(spectrum);
     if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",

@@ -10,17 +10,26 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/content_hash.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/scene_parameters.h"
 #include "spectrum/rgb_uplift.h"
 
 namespace emulsion {
 
+/// Files that a scene reads spectra from.
+struct SpectrumFiles {
+    std::filesystem::path folder;  ///< of relative names
+    ContentHash contents;          ///< of the files that were read, in the order of reading
+};
+
 /// Reads the spectra of one scene.
 class SpectrumReader {
   public:
     /// Relative file names are looked for in `folder`.
-    explicit SpectrumReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    explicit SpectrumReader(std::filesystem::path folder) : files_{std::move(folder), {}} {}
+
+    [[nodiscard]] const ContentHash& files_read() const noexcept { return files_.contents; }
 
     /// A reflectance.
     /// \throws SceneError if it is malformed, unknown, or outside [0, 1] at any of its points (pbrt-v4 refuses such RGB
@@ -38,7 +47,7 @@ class SpectrumReader {
   private:
     [[nodiscard]] const RgbUplift& uplift();
 
-    std::filesystem::path folder_;
+    SpectrumFiles files_;
     // Both are made when they are first asked for.
     std::optional<RgbUplift> uplift_;
     std::optional<ScaledSpectrum> default_light_;

@@ -22,10 +22,12 @@ using testing::name_of;
 
 /// The weights of the pixels reached.
 std::vector<float> weights_at(const FilterFootprint& footprint, FilterAxis axis, float place_px) {
-    const auto reach = footprint.reach(axis, place_px);
     std::vector<float> room(footprint.room(axis));
-    const float* const weights = footprint.weights(axis, place_px, reach, room.data());
-    return {weights, weights + std::max(0, reach.end - reach.begin)};
+    const auto weights = footprint.weights(axis, place_px, room.data());
+    const auto reach = footprint.reach(axis, place_px);
+    EXPECT_EQ(weights.reached.begin, reach.begin);
+    EXPECT_EQ(weights.reached.end, reach.end);
+    return {weights.first, weights.first + std::max(0, reach.end - reach.begin)};
 }
 
 TEST(FilterFootprint, ReachesThePixelsWithinTheRadiusAndNoOthers) {

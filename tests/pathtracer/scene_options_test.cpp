@@ -4,8 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pathtracer/render.h"
 #include "scene_text.h"
 
 namespace emulsion {
@@ -38,6 +40,29 @@ TEST(SceneOptions, Camera) {
     EXPECT_EQ(scene.camera.fov_deg, 39.5);
     EXPECT_EQ(scene.camera.frame_aspect_ratio, 1.5);
     EXPECT_EQ(scene.camera.screen_window, (std::array<double, 4>{-1, 2, -3, 4}));
+}
+
+TEST(SceneOptions, CropWindowsInPartsOfTheFrameAndInPixels) {
+    const std::string film = R"(Film "rgb" "integer xresolution" 100 "integer yresolution" 50 )";
+    EXPECT_EQ(film_options(parse_options(film)).crop, std::nullopt);
+    // Rounded up, as pbrt-v4 does: 33.3 to 34, 66.6 to 67, 12.5 to 13.
+    EXPECT_EQ(film_options(parse_options(film + R"("float cropwindow" [0.333 0.666 0.25 1])")).crop,
+              (PixelBounds{34, 13, 67, 50}));
+    Scene scene = parse_options(film + R"("float cropwindow" [0.5 1 0 0.5])");
+    scene.film.width_px = 10;  // another resolution, the same part of it
+    EXPECT_EQ(film_options(scene).crop, (PixelBounds{5, 0, 10, 25}));
+    EXPECT_EQ(film_options(parse_options(film + R"("integer pixelbounds" [10 20 30 50])")).crop,
+              (PixelBounds{10, 30, 20, 50}));
+
+    EXPECT_EQ(
+        error_of(film + R"("float cropwindow" [0.5 0.5 0 1])"),
+        "t.pbrt:1:83: found a crop window of 0.5 0.5 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to 1");
+    EXPECT_THAT(error_of(film + R"("float cropwindow" [0 1.5 0 1])"),
+                ::testing::HasSubstr("a crop window of 0 1.5 0 1"));
+    EXPECT_EQ(error_of(film + R"("integer pixelbounds" [0 101 0 1])"),
+              "t.pbrt:1:86: found pixel bounds of 0 101 0 1, expected x0 < x1 <= 100 and y0 < y1 <= 50, in this order");
+    EXPECT_THAT(error_of(film + R"("integer pixelbounds" [0 1 0 1] "float cropwindow" [0 1 0 1])"),
+                ::testing::HasSubstr("found \"pixelbounds\" beside \"cropwindow\", expected one of the two"));
 }
 
 TEST(SceneOptions, Film) {

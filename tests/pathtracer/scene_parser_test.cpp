@@ -73,9 +73,10 @@ TEST(SceneParser, NamesTheTokenAtFault) {
         {"Camera \"perspective\" \" \" 3", "1:22: found the string \" \", expected a parameter's \"type name\""},
         {"Film \"rgb\" \"string filename\" out.exr", "1:30: found \"out.exr\", expected a string"},
         {"Film \"rgb\" \"bool savefp16\" [true maybe]", "1:34: found \"maybe\", expected true, false or \"]\""},
-        {"Film \"rgb\" \"float cropwindow\" [0 1 0 1]",
-         "1:12: found parameter \"cropwindow\" of film \"rgb\", " + unsupported +
-             "xresolution, yresolution, filename, savefp16, sensor, iso, diagonal, whitebalance)"},
+        {"Film \"rgb\" \"float maxcomponentvalue\" 10",
+         "1:12: found parameter \"maxcomponentvalue\" of film \"rgb\", " + unsupported +
+             "xresolution, yresolution, filename, savefp16, sensor, iso, diagonal, cropwindow, pixelbounds, "
+             "whitebalance)"},
         {"Translate 1 2", "1:14: found the end of the file, expected a number, the 3 of 3"},
         {"Translate 1 2 x", "1:15: found \"x\", expected a number, the 3 of 3"},
         {"Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 2]", "1:44: found \"2\", expected a \"]\" after 16 numbers"},
@@ -180,6 +181,22 @@ TEST(SceneParser, NestsDeeplyWithoutHarm) {
     const std::string light = "WorldBegin LightSource \"infinite\" AreaLightSource \"diffuse\" ";
     EXPECT_EQ(parse(light + begins + "Shape \"sphere\" " + ends).shapes.size(), 1u);
     EXPECT_EQ(error_of(light + begins + ends + ends).substr(0, 9), "t.pbrt:1:");
+}
+
+// The hash is that of contents: of the scene's text and of the files that it reads, wherever they lie.
+TEST(SceneParser, HashesWhatTheSceneWasReadFrom) {
+    const TemporaryFolder a, b;
+    const std::string text = "WorldBegin LightSource \"infinite\" \"spectrum L\" \"lamp.spd\"\n";
+    const auto hash_of = [](const TemporaryFolder& folder, const std::string& scene, const std::string& lamp) {
+        write_text(folder.file("lamp.spd"), lamp);
+        return parse_scene(scene, folder.file("t.pbrt")).hash;
+    };
+    const std::string hash = hash_of(a, text, "400 1 700 1");
+    EXPECT_EQ(hash.size(), 32u);
+    EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
+    EXPECT_EQ(hash_of(b, text, "400 1 700 1"), hash);
+    EXPECT_NE(hash_of(a, text, "400 1 700 2"), hash);
+    EXPECT_NE(hash_of(a, text + "# a comment\n", "400 1 700 1"), hash);
 }
 
 }  // namespace

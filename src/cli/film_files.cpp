@@ -1,0 +1,39 @@
+#include "cli/film_files.h"
+
+#include <string>
+
+#include "cli/loss_warnings.h"
+#include "cli/messages.h"
+#include "film/film_layers.h"
+#include "film/film_metadata.h"
+
+namespace emulsion::cli {
+
+bool is_state_name(const std::filesystem::path& path) { return path.string().ends_with(".film.exr"); }
+
+std::filesystem::path state_name(const std::filesystem::path& output) {
+    if (is_state_name(output)) return output;
+    std::filesystem::path state = output;
+    return state.replace_extension(".film.exr");
+}
+
+FilmState state_of(const FilmInProgress& film, const FilmMetadata& run) {
+    return film.read([&](const Film& contents, const FilmProvenance& provenance) {
+        return emulsion::state_of(contents, provenance, run);
+    });
+}
+
+Image<XYZ> write_film(const std::filesystem::path& output, const FilmInProgress& film, const FilmMetadata& run,
+                      const ExrOptions& options) {
+    const FilmPicture picture = picture_of(film.film());
+    const ExrWriteResult written = is_state_name(output)
+                                       ? write_film_state(output, state_of(film, run), options)
+                                       : write_exr(output, picture, metadata_of(film.film(), run), options);
+    for (const std::string& loss : exr_losses(written, options.pixel_type)) {
+        print_warning(output.string() + ": " + loss);
+    }
+    if (!is_lossy(options.compression)) return as_stored(picture.xyz, options);
+    return read_exr(output, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
+}
+
+}  // namespace emulsion::cli

@@ -1,0 +1,28 @@
+#pragma once
+// The files of a render: the picture, and the film state from which a later run goes on.
+
+#include <filesystem>
+
+#include "core/color.h"
+#include "core/image.h"
+#include "film/exr_file.h"
+#include "film/film_state.h"
+#include "pathtracer/film_in_progress.h"
+
+namespace emulsion::cli {
+
+/// Whether a name ends in ".film.exr".
+[[nodiscard]] bool is_state_name(const std::filesystem::path& path);
+
+/// The state's name for a render that writes `output`: NAME.film.exr beside NAME.exr; `output` itself if it is a state.
+[[nodiscard]] std::filesystem::path state_name(const std::filesystem::path& output);
+
+/// Film and account as they belong together, even while threads add to them.
+[[nodiscard]] FilmState state_of(const FilmInProgress& film, const FilmMetadata& run);
+
+/// Writes the film's picture and layers, or its state if the name says so; warns of what the file could not hold.
+/// \returns the picture as the file holds it, for those who go on with it. \throws as write_exr.
+Image<XYZ> write_film(const std::filesystem::path& output, const FilmInProgress& film, const FilmMetadata& run,
+                      const ExrOptions& options);
+
+}  // namespace emulsion::cli
