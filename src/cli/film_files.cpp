@@ -9,6 +9,20 @@
 
 namespace emulsion::cli {
 
+namespace {
+
+/// Warns of what the file could not hold, and gives back what it does.
+Image<XYZ> picture_in_file(const std::filesystem::path& output, const Image<XYZ>& picture,
+                           const ExrWriteResult& written, const ExrOptions& options) {
+    for (const std::string& loss : exr_losses(written, options.pixel_type)) {
+        print_warning(output.string() + ": " + loss);
+    }
+    if (!is_lossy(options.compression)) return as_stored(picture, options);
+    return read_exr(output, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
+}
+
+}  // namespace
+
 bool is_state_name(const std::filesystem::path& path) { return path.string().ends_with(".film.exr"); }
 
 std::filesystem::path state_name(const std::filesystem::path& output) {
@@ -29,11 +43,15 @@ Image<XYZ> write_film(const std::filesystem::path& output, const FilmInProgress&
     const ExrWriteResult written = is_state_name(output)
                                        ? write_film_state(output, state_of(film, run), options)
                                        : write_exr(output, picture, metadata_of(film.film(), run), options);
-    for (const std::string& loss : exr_losses(written, options.pixel_type)) {
-        print_warning(output.string() + ": " + loss);
-    }
-    if (!is_lossy(options.compression)) return as_stored(picture.xyz, options);
-    return read_exr(output, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
+    return picture_in_file(output, picture.xyz, written, options);
+}
+
+Image<XYZ> write_film(const std::filesystem::path& output, const FilmState& state, ExrOptions options) {
+    options.white_luminance_cdm2 = white_luminance_cdm2(state.options.sensor);
+    const FilmPicture picture = picture_of(state.contents, FilmSetup(state.options));
+    const ExrWriteResult written = is_state_name(output) ? write_film_state(output, state, options)
+                                                         : write_exr(output, picture, state.metadata, options);
+    return picture_in_file(output, picture.xyz, written, options);
 }
 
 }  // namespace emulsion::cli

@@ -1,5 +1,5 @@
 #pragma once
-// The files of a render: the picture, and the film state from which a later run goes on.
+// Files of films: the picture, and the film state from which a later run goes on.
 
 #include <filesystem>
 
@@ -24,5 +24,7 @@ namespace emulsion::cli {
 /// \returns the picture as the file holds it, for those who go on with it. \throws as write_exr.
 Image<XYZ> write_film(const std::filesystem::path& output, const FilmInProgress& film, const FilmMetadata& run,
                       const ExrOptions& options);
+/// The same of a state, whose sensor tells the white luminance.
+Image<XYZ> write_film(const std::filesystem::path& output, const FilmState& state, ExrOptions options);
 
 }  // namespace emulsion::cli

@@ -243,7 +243,8 @@ void report_state(const FilmState& state, InfoReport& report) {
     count("no value", "pixels_without_value", static_cast<std::uint64_t>(pixels_without_value(state.contents)));
     count("saturated", "saturated_pixels", static_cast<std::uint64_t>(saturated_pixels(state.contents)));
     report_ranges(state.provenance, report);
-    report.line("sensor", state.sensor_text);
+    // The picture's header has it with the film's options.
+    if (state.metadata.film.find(state.sensor_text) == std::string::npos) report.line("sensor", state.sensor_text);
     report.member_text("sensor", state.sensor_text);
 }
 

@@ -10,11 +10,11 @@
 
 #include "cli/distinct_files.h"
 #include "cli/exr_output_options.h"
+#include "cli/film_files.h"
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"
 #include "cli/pipeline_options.h"
 #include "core/atomic_file.h"
-#include "film/film_layers.h"
 #include "film/film_state.h"
 
 namespace emulsion::cli {
@@ -30,8 +30,6 @@ struct MergeCommand::Options {
 
 namespace {
 
-bool is_state_name(const std::filesystem::path& path) { return path.string().ends_with(".film.exr"); }
-
 /// One after the other, so that never more than two are in memory.
 FilmState read_and_merge(const std::vector<std::filesystem::path>& films) {
     FilmState state = read_film_state(films.front());
@@ -46,19 +44,6 @@ FilmState read_and_merge(const std::vector<std::filesystem::path>& films) {
         }
     }
     return state;
-}
-
-/// Writes the state, or the picture and its layers. \returns the picture as the file holds it.
-Image<XYZ> write_output(const std::filesystem::path& output, const FilmState& state, ExrOptions options) {
-    options.white_luminance_cdm2 = white_luminance_cdm2(state.options.sensor);
-    const FilmPicture picture = picture_of(state.contents, FilmSetup(state.options));
-    const ExrWriteResult written = is_state_name(output) ? write_film_state(output, state, options)
-                                                         : write_exr(output, picture, state.metadata, options);
-    for (const std::string& loss : exr_losses(written, options.pixel_type)) {
-        print_warning(output.string() + ": " + loss);
-    }
-    if (!is_lossy(options.compression)) return as_stored(picture.xyz, options);
-    return read_exr(output, {.layers = ExrLayers::skip, .threads = options.threads}).xyz;
 }
 
 }  // namespace
@@ -110,7 +95,7 @@ int MergeCommand::run(const std::string& command_line) const {
     state.metadata.command_line = command_line;
     warn_of_losses(state.contents);
     const ExrOptions exr = exr_options(options.exr, PixelType::float32, options.threads);
-    const Image<XYZ> picture = write_output(options.output, state, exr);
+    const Image<XYZ> picture = write_film(options.output, state, exr);
     if (!options.png.empty()) develop_to_png(picture, options.pipeline, options.threads, options.png);
     if (options.quiet) return kDone;
     print_output(fmt::format("{} film{}, {}x{} pixels, samples {}: {} of each pixel\nwrote {}\n", options.films.size(),

@@ -10,6 +10,7 @@
 #include "film/film_layers.h"
 #include "film_states.h"
 #include "run_program.h"
+#include "scenes.h"
 #include "support/temporary_folder.h"
 
 namespace emulsion::testing {
@@ -75,6 +76,23 @@ TEST_F(MergeProgram, GivesThePictureOfOneRun) {
     EXPECT_EQ(merged.white_luminance_cdm2, 2.0);
     EXPECT_EQ(merged.metadata.sample_count, 767u);
     EXPECT_THAT(merged.notes, IsEmpty());
+}
+
+TEST_F(MergeProgram, SharesOfARenderAddUpToTheWhole) {
+    const std::string scene = folder_.file("small.pbrt"), whole = folder_.file("whole.exr");
+    write_text(scene, kSmallScene);
+    std::vector<std::string> arguments = {"merge", "--quiet", "-o", exr_};
+    for (const char* shard : {"3/3", "1/3", "2/3"}) {
+        const std::string film = folder_.file(std::string("shard") + shard[0] + ".film.exr");
+        const ProgramResult rendered = run_program({"render", scene, "--quiet", "--shard", shard, "-o", film});
+        ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+        arguments.push_back(film);
+    }
+    const ProgramResult merged = run_program(arguments);
+    ASSERT_EQ(merged.exit_code, 0) << merged.err;
+    ASSERT_EQ(run_program({"render", scene, "--quiet", "-o", whole}).exit_code, 0);
+    EXPECT_TRUE(read_exr(exr_).xyz == read_exr(whole).xyz);
+    EXPECT_EQ(read_exr(exr_).metadata.sample_count, read_exr(whole).metadata.sample_count);
 }
 
 TEST_F(MergeProgram, OneFilmAloneIsWrittenAnew) {
