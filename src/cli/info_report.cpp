@@ -44,6 +44,7 @@ std::string json_list(const std::vector<std::string>& values) { return fmt::form
 
 std::string json_object(const std::vector<std::pair<std::string_view, std::string>>& members) {
     std::vector<std::string> texts;
+    texts.reserve(members.size());
     for (const auto& [key, json] : members) texts.push_back(json_text(key) + ": " + json);
     return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }

@@ -17,7 +17,6 @@
 namespace emulsion::testing {
 namespace {
 
-using std::literals::string_literals::operator""s;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -144,7 +143,7 @@ TEST_F(InfoProgram, TellsAboutFilmPictures) {
 TEST_F(InfoProgram, TellsWhatItCanOfOtherFiles) {
     write_exr(exr_, Image<XYZ>(4, 2), {});
     std::string bytes = read_text(exr_);
-    bytes[bytes.find("Z\0"s, bytes.find("chlist"))] = 'Q';
+    bytes[bytes.find(std::string("Z\0", 2), bytes.find("chlist"))] = 'Q';
     write_text(exr_, bytes);
     EXPECT_THAT(text_of(exr_),
                 AllOf(HasSubstr("other EXR, "), HasSubstr("4x2 pixels\n"), HasSubstr("channels     Q, X, Y\n")));

@@ -16,7 +16,6 @@ namespace emulsion {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 using ExrInfoFile = ExrFile;

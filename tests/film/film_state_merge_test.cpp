@@ -41,7 +41,7 @@ TEST(FilmStateMerge, IsTheSingleRunInAThousandOrders) {
                 state_with(film.options, static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end)));
         }
         std::mt19937 shuffler(1);
-        for (int i = 0; i < (film.name == "all" ? 1000 : 20); ++i) {
+        for (int i = 0; i < 1000; ++i) {
             std::shuffle(shards.begin(), shards.end(), shuffler);
             ASSERT_TRUE(merged(shards) == whole) << film.name << ", shuffle " << i;
         }
@@ -65,14 +65,18 @@ TEST(FilmStateMerge, GapsStayGaps) {
     EXPECT_EQ(to_text(state.provenance.samples), "0-3,8-10");
 }
 
+template <class... Words>
+void expect_not_added(const FilmState& to, const FilmState& from, const Words&... words) {
+    FilmState state = to;
+    EXPECT_THAT([&] { merge(state, from); }, ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(words)...)));
+    EXPECT_TRUE(state == to);
+}
+
 /// That neither goes into the other, for a reason that holds all of `words`; and that nothing changes.
 template <class... Words>
 void expect_refused(const FilmState& a, const FilmState& b, const Words&... words) {
-    for (const auto& [to, from] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-        FilmState state = *to;
-        EXPECT_THAT([&] { merge(state, *from); }, ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(words)...)));
-        EXPECT_TRUE(state == *to);
-    }
+    expect_not_added(a, b, words...);
+    expect_not_added(b, a, words...);
 }
 
 TEST(FilmStateMerge, FilmsOfOtherOptionsAreRefused) {

@@ -17,7 +17,6 @@ namespace {
 
 using emulsion::testing::every_film;
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 FilmOptions without_place_and_sensor(FilmOptions options) {
     options.width_px = FilmOptions{}.width_px;

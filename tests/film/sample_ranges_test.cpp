@@ -11,9 +11,6 @@
 #include <gtest/gtest.h>
 
 namespace emulsion {
-
-void PrintTo(const SampleRange& range, std::ostream* out) { *out << range.begin << "-" << range.end; }
-
 namespace {
 
 using testing::AllOf;
