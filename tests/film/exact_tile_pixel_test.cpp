@@ -69,13 +69,13 @@ TEST(ExactTilePixel, TakesWeightsOfAnySize) {
 
 // Either side of the largest term that is added quickly, of either sign, in each channel.
 TEST(ExactTilePixel, TermsAroundTheQuickLimit) {
-    for (const double limit : {0x1p24, 0x1p3}) {
-        for (const double size : {std::nextafter(limit, 0.0), limit, std::nextafter(limit, 1e9), 2.0 * limit}) {
+    for (const double limit : {0x1p27, 0x1p6}) {
+        for (const double size : {0.5 * limit, std::nextafter(limit, 0.0), limit, std::nextafter(limit, 1e9)}) {
             for (const double value : {size, -size}) {
                 ExactTilePixel pixel;
                 SlowPixel slow;
                 for (int i = 0; i < 3; ++i) {
-                    const bool is_weight = limit == 0x1p3;
+                    const bool is_weight = limit == 0x1p6;
                     const double weight = is_weight ? value : 1.0, x = is_weight ? 0.1 : value;
                     ASSERT_TRUE(pixel.add(x, -x, x / 3.0, weight));
                     slow.add(x, -x, x / 3.0, weight);
@@ -84,6 +84,29 @@ TEST(ExactTilePixel, TermsAroundTheQuickLimit) {
             }
         }
     }
+}
+
+// A block is as many calls of add(), whichever processor it is made for: quick terms and large ones side by side, and
+// those around the limit.
+TEST(ExactTilePixel, BlockIsTheSameBitsAsItsPixelsOneByOne) {
+    constexpr std::array<float, 5> kXWeights = {-8.0f, 8.0f, 0.3f, -1e-3f, 1e4f};
+    constexpr std::array<float, 3> kYWeights = {8.0f, -0.7f, 1.0f};
+    constexpr std::size_t kStride = 7;
+    std::array<ExactTilePixel, 3 * kStride> block, expected;
+    Pcg32 random(5);
+    for (int i = 0; i < 300; ++i) {
+        const XYZd value{wild(random, 30), wild(random, 30), wild(random, 10)};
+        ExactTilePixel::add_block(&block[1], kStride, kXWeights, kYWeights, value);
+        for (std::size_t y = 0; y < 3; ++y) {
+            for (std::size_t x = 0; x < 5; ++x) {
+                const auto weight = static_cast<double>(kXWeights[x] * kYWeights[y]);
+                expected[y * kStride + 1 + x].add(value.x, value.y, value.z, weight);
+            }
+        }
+        for (std::size_t k = 0; k < block.size(); ++k) ASSERT_EQ(block[k].sums(), expected[k].sums()) << i << ' ' << k;
+    }
+    EXPECT_NE(block[1].sums().weight, 0.0);
+    EXPECT_EQ(block[0].sums(), WeightedSums{}) << "beside the block";
 }
 
 // Ties of both parts: halves of the resolution, beside a multiple of it.
