@@ -1,6 +1,7 @@
 #pragma once
 // Sums that do not depend on the order of their terms: fixed-point numbers of 64, 96 or 128 bits.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -33,7 +34,9 @@ class FixedPointSum {
 
     /// The nearest multiple of kResolution (ties to even). Saturated if |value| >= kLimit, and high if it is NaN.
     explicit FixedPointSum(double value) noexcept {
-        if (std::abs(value) < kLimit) {
+        if (std::abs(value) < kQuickLimit) {
+            *this = from_quick(value);
+        } else if (std::abs(value) < kLimit) {
             *this = from_units(static_cast<Int128>(std::nearbyint(value * kUnitsPerOne)));
         } else {
             store(value < 0.0 ? -kHighest : kHighest);
@@ -66,6 +69,23 @@ class FixedPointSum {
     bool operator==(const FixedPointSum&) const = default;
 
   private:
+    /// Two 64-bit conversions, where one to 128 bits would be a call: the multiple of 2^kShift units nearest to the
+    /// value, and the rest. Both are exact but for the rounding to units.
+    [[nodiscard]] static FixedPointSum from_quick(double value) noexcept {
+        const double units = value * kUnitsPerOne, top = (units + kSplit) - kSplit;
+        const auto high = static_cast<std::int64_t>(top * kPerShift);
+        const auto low = static_cast<std::int64_t>(std::nearbyint(units - top));
+        FixedPointSum sum;
+        sum.store((Int128{high} << kShift) + low);
+        return sum;
+    }
+
+    static constexpr int kShift = 32;
+    static constexpr double kPerShift = 1.0 / static_cast<double>(std::int64_t{1} << kShift);
+    static constexpr double kSplit = 1.5 * static_cast<double>(Int128{1} << (52 + kShift));
+    // Tops are below 2^51 units of the split's, and sums within a quarter of the range.
+    static constexpr double kQuickLimit = static_cast<double>(Int128{1} << std::min(Bits - 3, 50 + kShift)) *
+                                          (1.0 / static_cast<double>(Int128{1} << FractionBits));
     static constexpr std::size_t kBytes = Bits / 8;
     static constexpr double kUnitsPerOne = static_cast<double>(Int128{1} << FractionBits);
     // -kHighest - 1 is never stored, so that both ends are alike.

@@ -67,8 +67,9 @@ class alignas(64) ExactTilePixel {  // a line of the cache
     static constexpr double kRest = 0x1.8p8;        // 52 - ExactSum::kFractionBits
     static constexpr double kWeightTop = 0x1.8p22;  // 52 - ExactWeightSum::kFractionBits
     static_assert(ExactSum::kFractionBits == 52 - 8 && ExactWeightSum::kFractionBits == 52 - 22);
-    // Any weight is lost in it, and its bits are 1 above a multiple of 2^52: their sum counts.
-    static constexpr double kOne = 0x1.0000000000001p59;
+    // Its bits are 1 above a multiple of 2^52: their sum counts. A unit in its last place is 256, so that any quick
+    // weight, 64 and -64 among them, is less than half of one and lost in it.
+    static constexpr double kOne = 0x1.0000000000001p60;
     static constexpr std::uint64_t kCountMask = (std::uint64_t{1} << 52) - 1;
 
     static constexpr Double2 kTopXy = {kTop, kTop}, kTopZw = {kTop, kWeightTop};

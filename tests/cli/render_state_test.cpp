@@ -97,6 +97,7 @@ TEST_F(RenderState, CheckpointsAreWholeAtEveryMoment) {
                 samples = state.contents.counts.samples;
             } catch (const std::exception& error) {
                 ADD_FAILURE() << error.what();
+                break;
             }
         }
         ::kill(child, SIGINT);

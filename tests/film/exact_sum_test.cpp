@@ -118,5 +118,30 @@ TYPED_TEST(FixedPointWidths, SumsAreThoseOfIntegers) {
     }
 }
 
+/// value * 2^fraction_bits, rounded once, by the library's own conversion.
+template <class Sum>
+Sum by_one_conversion(double value) {
+    return Sum::from_units(static_cast<Int128>(std::nearbyint(std::ldexp(value, Sum::kFractionBits))));
+}
+
+// Two ways from a double: the quick one ends at 2^38 for sums of 96 bits, and at 2^22 for those of 128.
+TEST(ExactSum, IsRoundedAlikeOnBothSidesOfTheQuickLimit) {
+    Pcg32 random(5);
+    using Wide = FixedPointSum<128, 60>;
+    for (int i = 0; i < 20000; ++i) {
+        const auto mantissa = static_cast<double>(random.next()) + static_cast<double>(random.next()) * 0x1p-32;
+        for (const int exponent : {-90, -76, -60, -40, -12, 5, 6, 7, 12}) {
+            const double value = std::ldexp(random.next() % 2u == 0 ? mantissa : -mantissa, exponent);
+            ASSERT_EQ(ExactSum(value), by_one_conversion<ExactSum>(value)) << value;
+            ASSERT_EQ(Wide(value), by_one_conversion<Wide>(value)) << value;
+        }
+    }
+    // Halves of a unit go to the even one, on either side of 0 and beside a multiple of 2^32 units.
+    for (const double units : {0.5, 1.5, -0.5, -1.5, 0x1p31 + 0.5, 0x1p32 - 0.5, 0x1p32 + 0.5, -0x1p32 + 0.5}) {
+        const double value = std::ldexp(units, -ExactSum::kFractionBits);
+        EXPECT_EQ(ExactSum(value), by_one_conversion<ExactSum>(value)) << units;
+    }
+}
+
 }  // namespace
 }  // namespace emulsion

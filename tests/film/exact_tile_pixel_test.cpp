@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -69,13 +71,13 @@ TEST(ExactTilePixel, TakesWeightsOfAnySize) {
 
 // Either side of the largest term that is added quickly, of either sign, in each channel.
 TEST(ExactTilePixel, TermsAroundTheQuickLimit) {
-    for (const double limit : {0x1p24, 0x1p3}) {
-        for (const double size : {std::nextafter(limit, 0.0), limit, std::nextafter(limit, 1e9), 2.0 * limit}) {
+    for (const double limit : {0x1p27, 0x1p6}) {
+        for (const double size : {0.5 * limit, std::nextafter(limit, 0.0), limit, std::nextafter(limit, 1e9)}) {
             for (const double value : {size, -size}) {
                 ExactTilePixel pixel;
                 SlowPixel slow;
                 for (int i = 0; i < 3; ++i) {
-                    const bool is_weight = limit == 0x1p3;
+                    const bool is_weight = limit == 0x1p6;
                     const double weight = is_weight ? value : 1.0, x = is_weight ? 0.1 : value;
                     ASSERT_TRUE(pixel.add(x, -x, x / 3.0, weight));
                     slow.add(x, -x, x / 3.0, weight);
@@ -163,6 +165,55 @@ TEST(ExactTilePixel, FilmCountsSamplesUpToItsLimit) {
     film.add({}, 4000000000u);
     EXPECT_EQ(film.samples(), 4294967295u) << "not wrapped";
     EXPECT_TRUE(film.is_saturated());
+}
+
+TEST(ExactTilePixel, CountsItsTermsWhateverTheirSize) {
+    Pcg32 random(11);
+    ExactTilePixel pixel;
+    for (std::uint64_t i = 1; i <= 9000; ++i) {
+        const double weight = i % 5 == 0 ? 1e4 : 0.5;  // added one by one, and quick
+        ASSERT_TRUE(pixel.add(wild(random, 30), 1.0, 1.0, i % 7 == 0 ? -weight : weight));
+        if (i % 1000 == 0) pixel.carry();
+        ASSERT_EQ(pixel.samples(), i);
+    }
+    EXPECT_FALSE(pixel.add(std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0, 1.0));
+    EXPECT_EQ(pixel.samples(), 9000u);
+}
+
+// A block is the same bits as its pixels one by one: of any width, with and without a rest to four, with weights and
+// values on both sides of what the wide path takes (8 and 2^21), and of either sign.
+TEST(ExactTilePixel, BlocksAreTheSameBitsAsPixelsOneByOne) {
+    Pcg32 random(13);
+    for (int i = 0; i < 3000; ++i) {
+        const std::size_t width = 1 + random.next() % 9u, height = 1 + random.next() % 5u, stride = width + 2;
+        const auto weights = [&](std::size_t count) {
+            std::vector<float> made;
+            for (std::size_t k = 0; k < count; ++k) {
+                const float size = std::ldexp(1.0f, static_cast<int>(random.next() % 8u) - 4);  // up to 8
+                made.push_back((random.next() % 4u == 0 ? -1.0f : 1.0f) *
+                               (random.next() % 16u == 0 ? size : size * random.next_float()));
+            }
+            return made;
+        };
+        const std::vector<float> x_weights = weights(width), y_weights = weights(height);
+        const int exponent = random.next() % 8u == 0 ? 26 : 20;
+        const XYZd xyz{wild(random, exponent), wild(random, exponent),
+                       random.next() % 16u == 0 ? -0x1p21 : wild(random, 10)};
+        std::vector<ExactTilePixel> block(stride * height), single(stride * height);
+        ExactTilePixel::add_block(block.data(), static_cast<std::ptrdiff_t>(stride), x_weights, y_weights, xyz);
+        for (std::size_t y = 0; y < height; ++y) {
+            for (std::size_t x = 0; x < width; ++x) {
+                single[y * stride + x].add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weights[x] * y_weights[y]));
+            }
+        }
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            ASSERT_TRUE(block[k].x_units() == single[k].x_units() && block[k].y_units() == single[k].y_units() &&
+                        block[k].z_units() == single[k].z_units())
+                << i;
+            ASSERT_TRUE(block[k].weight_units() == single[k].weight_units()) << i;
+            ASSERT_EQ(block[k].samples(), single[k].samples()) << i;
+        }
+    }
 }
 
 }  // namespace
