@@ -85,9 +85,8 @@ std::optional<FilmState> resumed_state(const RenderSettings& settings, const Ren
 /// render(), shown as it goes, and kept in a state file from time to time; warns if it was stopped early.
 /// \throws std::runtime_error if it was stopped before there was anything to write.
 void render_with_progress(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film,
-                          const RenderSettings& settings, const std::function<void()>& write_state) {
-    RenderProgress progress;
-    const StopSignals stop_signals(progress.stop);
+                          RenderProgress& progress, const RenderSettings& settings,
+                          const std::function<void()>& write_state) {
     {
         const Checkpoints checkpoints(settings.checkpoint_s, write_state);
         const ProgressDisplay display(settings.quiet ? ProgressStyle::none : progress_style_for_stderr(), progress,
@@ -139,7 +138,10 @@ int RenderCommand::run(const std::string& command_line) const {
     const PreparedScene prepared(std::move(scene), options.threads);
     const std::filesystem::path& state_file = files.state.empty() ? files.output : files.state;
     const auto write_state = [&] { write_film_state(state_file, state_of(in_progress, run), exr); };
-    render_with_progress(prepared, options, in_progress, settings, write_state);
+    // Until the last file is written, Ctrl-C leaves no half of it behind.
+    RenderProgress progress;
+    const StopSignals stop_signals(progress.stop);
+    render_with_progress(prepared, options, in_progress, progress, settings, write_state);
     const double render_s = elapsed_s(begun);
     warn_of_losses(film);
 

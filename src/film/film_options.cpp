@@ -45,6 +45,9 @@ void validate(const std::vector<AuxLayer>& layers) {
     std::set<std::string> names;
     for (const AuxLayer& layer : layers) {
         require_channel_word("film: aux.name", layer.name);
+        if (layer.name == "variance" || layer.name == "standard-error" || layer.name == "S0") {
+            throw std::invalid_argument("film: aux.name is \"" + layer.name + "\", expected none of a film file's own");
+        }
         if (!names.insert(layer.name).second) {
             throw std::invalid_argument("film: aux.name is \"" + layer.name + "\" twice, expected different names");
         }

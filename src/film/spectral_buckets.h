@@ -15,15 +15,15 @@ namespace emulsion {
 /// `count` buckets over [min_nm, max_nm).
 struct SpectralBuckets {
     int count = 32;         ///< in [1, 1024]
-    double min_nm = 380.0;  ///< > 0
-    double max_nm = 780.0;  ///< > min_nm, at most 1e6
+    double min_nm = 380.0;  ///< in [100, max_nm)
+    double max_nm = 780.0;  ///< at most 1000: files name buckets by three digits and three decimals
     bool operator==(const SpectralBuckets&) const = default;
 
     [[nodiscard]] double width_nm() const noexcept { return (max_nm - min_nm) / count; }
     [[nodiscard]] double centre_nm(int bucket) const noexcept { return min_nm + (bucket + 0.5) * width_nm(); }
 };
 
-/// \throws std::invalid_argument naming the field, its value and its range.
+/// \throws std::invalid_argument naming the field, its value and its range; also for buckets narrower than 0.01 nm.
 void validate(const SpectralBuckets& buckets);
 
 /// The wavelengths of one path, and what it carries at each: spans of one length.

@@ -69,8 +69,8 @@ class PreparedScene {
 
 /// Where a ray has met a shape of the scene. Inlined by force: the integrator is compiled for so many numbers of
 /// wavelengths that the compiler's budget for the file runs out before it.
-[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene::PreparedShape& shape, const Ray& ray,
-                                                const Hit& hit) noexcept {
+[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene::PreparedShape& shape,
+                                                                    const Ray& ray, const Hit& hit) noexcept {
     if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
     const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
     return surface_point(*shape.sphere, point_at(*shape.sphere, along));

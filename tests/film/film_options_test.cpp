@@ -41,8 +41,16 @@ TEST(FilmOptions, SpectraFiltersAndControlsAreValidated) {
         return options;
     };
     expect_refused(with([](auto& o) { o.spectrum = SpectralBuckets{0, 400.0, 700.0}; }), "spectrum.count", "[1, 1024]");
-    expect_refused(with([](auto& o) { o.spectrum = SpectralBuckets{4, 700.0, 400.0}; }), "spectrum.min_nm", "(0, 400)");
-    expect_refused(with([](auto& o) { o.spectrum = SpectralBuckets{4, 400.0, 2e6}; }), "spectrum.max_nm", "1e+06");
+    expect_refused(with([](auto& o) {
+                       o.spectrum = SpectralBuckets{4, 700.0, 400.0};
+                   }),
+                   "spectrum.min_nm", "[100, 400)");
+    expect_refused(with([](auto& o) {
+                       o.spectrum = SpectralBuckets{4, 99.0, 400.0};
+                   }),
+                   "spectrum.min_nm", "[100, 400)");
+    expect_refused(with([](auto& o) { o.spectrum = SpectralBuckets{4, 400.0, 1001.0}; }), "spectrum.max_nm", "1000]");
+    expect_refused(with([](auto& o) { o.spectrum = SpectralBuckets{100, 400.0, 400.9}; }), "width of a bucket", "0.01");
     expect_refused(with([](auto& o) { o.filter = BoxFilter{-1.0f, 1.0f}; }), "x-radius", "(0, inf)");
     expect_refused(with([](auto& o) { o.firefly_control = LuminanceClamp{0.0f}; }), "firefly control clamp",
                    "(0, inf)");
@@ -61,6 +69,7 @@ TEST(FilmOptions, AuxiliaryLayersAreValidated) {
     expect_refused(with({{"", {"R"}}}), "aux.name is \"\"", "letters");
     expect_refused(with({{"a.b", {"R"}}}), "aux.name is \"a.b\"", "letters");
     expect_refused(with({{"a", {"R"}}, {"a", {"G"}}}), "\"a\" twice", "different");
+    expect_refused(with({{"variance", {"Y"}}}), "\"variance\"", "film file's own");
     expect_refused(with({{"a", {}}}), "aux \"a\": components has 0", "1 to 16");
     expect_refused(with({{"a", std::vector<std::string>(17, "x")}}), "has 17", "1 to 16");
     expect_refused(with({{"a", {"R", "R"}}}), "twice", "different");

@@ -30,9 +30,9 @@ TEST(FilmOptionsText, ComesBack) {
     std::vector<FilmOptions> all;
     for (const auto& film : every_film()) all.push_back(film.options);
     for (const Filter& filter : emulsion::testing::example_filters()) all.push_back({.filter = filter});
-    all.push_back({.spectrum = SpectralBuckets{.count = 1, .min_nm = 1e-7, .max_nm = 1e6}});
-    all.push_back({.spectrum = SpectralBuckets{.count = 1024, .min_nm = 1e-9, .max_nm = 2e-9}});
-    all.push_back({.spectrum = SpectralBuckets{.count = 7, .min_nm = 100.0 / 3.0, .max_nm = 0.1 + 700.0}});
+    all.push_back({.spectrum = SpectralBuckets{.count = 1, .min_nm = 100.0, .max_nm = 1000.0}});
+    all.push_back({.spectrum = SpectralBuckets{.count = 64, .min_nm = 500.1, .max_nm = 501.3}});
+    all.push_back({.spectrum = SpectralBuckets{.count = 7, .min_nm = 1000.0 / 3.0, .max_nm = 0.1 + 700.0}});
     all.push_back({.aux = {{"none", {"none"}}, {"-", {"-", "_"}}}});
     all.push_back({.firefly_control = LuminanceClamp{1e-38f}});
     for (const FilmOptions& options : all) {
