@@ -37,6 +37,8 @@ class BasicFilmTile {
     /// splats.
     BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup);
 
+    /// Of the film that it was made for.
+    [[nodiscard]] const FilmSetup& setup() const noexcept { return *setup_; }
     /// Where samples belong.
     [[nodiscard]] const PixelBounds& places() const noexcept { return places_; }
     /// The pixels that the tile holds.
