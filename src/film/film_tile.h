@@ -158,7 +158,7 @@ class BasicFilmTile {
     void carry(std::size_t i) noexcept;
     /// The same for all pixels, once in so many splatted samples.
     void carry_all_in_time() noexcept;
-    void drop(int x, int y, const XYZ& value, float weight) noexcept;
+    void drop(int x, int y, const SensorSample& sample, float weight) noexcept;
 
     static constexpr std::uint32_t kCountsPerCarry = 1u << 23;
     static_assert(kCountsPerCarry <= ExactTilePixel::kAddsPerCarry);
