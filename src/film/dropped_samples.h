@@ -11,8 +11,8 @@
 
 namespace emulsion {
 
-/// Why a sample was kept out: a NaN among its values or its weight; else an infinity; else a luminance below 0 (before
-/// the weight, which may well be negative).
+/// Why a sample was kept out: a NaN among its values, its luminance and its weight; else an infinity; else a luminance
+/// below 0 (before the weight, which may well be negative).
 enum class DroppedKind { nan, infinite, negative_luminance };
 
 struct DroppedSample {

@@ -16,6 +16,19 @@ void require_inside(const PixelBounds& places, const PixelBounds& film) {
                                 to_string(film));
 }
 
+/// All options, those that to_text(FilmOptions) leaves out among them.
+std::string described(const FilmOptions& options) {
+    return to_string(bounds_of(options)) + " of " + std::to_string(options.width_px) + "x" +
+           std::to_string(options.height_px) + " pixels, " + to_text(options.sensor) + " " + to_text(options);
+}
+
+/// `what`: "a film".
+void require_same(const FilmOptions& found, const FilmOptions& expected, const char* what) {
+    if (found == expected) return;
+    throw std::invalid_argument(std::string("film: ") + what + " with other options was to be merged: " +
+                                described(found) + ", expected " + described(expected));
+}
+
 }  // namespace
 
 template <class Sums>
@@ -36,10 +49,8 @@ BasicFilmTile<Sums> BasicFilm<Sums>::make_tile(PixelBounds places) const {
 
 template <class Sums>
 void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
+    if (&tile.setup() != setup_.get()) require_same(tile.setup().options, options(), "a tile of a film");
     require_inside(tile.places(), sample_bounds());
-    if (tile.channels().layout() != setup_->channels) {
-        throw std::invalid_argument("film: a tile of a film with other options was to be merged");
-    }
     FilmCounts counts;
     counts.samples = tile.sample_count();
     counts.light_splats = tile.light_splat_count();
@@ -69,10 +80,7 @@ void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
 template <class Sums>
 void BasicFilm<Sums>::merge(const BasicFilm& other) {
     if (&other == this) throw std::invalid_argument("film: it was to be merged into itself");
-    if (other.options() != options()) {
-        throw std::invalid_argument("film: one with other options was to be merged: " + to_text(other.options()) +
-                                    ", expected " + to_text(options()));
-    }
+    require_same(other.options(), options(), "a film");
     const std::scoped_lock lock(mutex_, other.mutex_);
     emulsion::merge(contents_, other.contents_);
 }

@@ -27,15 +27,22 @@ FilmContents<Sums> empty_contents(const FilmSetup& setup) {
 
 template <class Sums>
 void require_size(const FilmContents<Sums>& contents, const FilmOptions& options) {
-    const FilmChannels channels(options);
+    const FilmChannels expected(options);
     const std::size_t pixels = pixel_count(bounds_of(options));
-    const std::size_t sums = pixels * static_cast<std::size_t>(channels.sums);
-    const bool fits = contents.pixels.size() == pixels && contents.channels.layout() == channels &&
-                      contents.channels.all_sums().size() == sums;
+    const std::size_t sums = pixels * static_cast<std::size_t>(expected.sums);
+    const std::size_t squares = pixels * static_cast<std::size_t>(expected.squares);
+    const ChannelSums& channels = contents.channels;
+    const bool fits = contents.pixels.size() == pixels && channels.layout() == expected &&
+                      channels.all_sums().size() == sums && channels.all_squares().size() == squares;
     if (fits) return;
-    throw std::invalid_argument("film: contents of " + std::to_string(contents.pixels.size()) + " pixels with " +
-                                std::to_string(contents.channels.all_sums().size()) + " further sums, expected " +
-                                std::to_string(pixels) + " with " + std::to_string(sums));
+    const auto described = [](std::size_t of_pixels, std::size_t of_sums, std::size_t of_squares) {
+        return std::to_string(of_pixels) + " pixels with " + std::to_string(of_sums) + " further sums and " +
+               std::to_string(of_squares) + " of squares";
+    };
+    throw std::invalid_argument(
+        "film: contents of " +
+        described(contents.pixels.size(), channels.all_sums().size(), channels.all_squares().size()) + ", expected " +
+        described(pixels, sums, squares));
 }
 
 template <class Sums>

@@ -40,14 +40,21 @@ void require_channel_word(const std::string& field, const std::string& word) {
     throw std::invalid_argument(field + " is \"" + word + "\", expected 1 to 64 letters, digits, '-' and '_'");
 }
 
+/// Layers that the film's files have of themselves, and that of its spectrum.
+void require_free(const std::string& layer) {
+    for (const std::string_view taken : {"variance", "standard-error", "S0"}) {
+        if (layer != taken) continue;
+        throw std::invalid_argument("film: aux.name is \"" + layer +
+                                    "\", expected a name that the film's files don't have");
+    }
+}
+
 void validate(const std::vector<AuxLayer>& layers) {
     constexpr std::size_t kMostComponents = 16;
     std::set<std::string> names;
     for (const AuxLayer& layer : layers) {
         require_channel_word("film: aux.name", layer.name);
-        if (layer.name == "variance" || layer.name == "standard-error" || layer.name == "S0") {
-            throw std::invalid_argument("film: aux.name is \"" + layer.name + "\", expected none of a film file's own");
-        }
+        require_free(layer.name);
         if (!names.insert(layer.name).second) {
             throw std::invalid_argument("film: aux.name is \"" + layer.name + "\" twice, expected different names");
         }

@@ -26,7 +26,7 @@ enum class FilmVariance { none, luminance, xyz };
 
 /// Further quantities of what a pixel shows, averaged by the filter: albedo, normal, depth, or any other by name.
 struct AuxLayer {
-    std::string name;                     ///< letters, digits, '-' and '_'
+    std::string name;                     ///< letters, digits, '-' and '_'; not "variance", "standard-error" or "S0"
     std::vector<std::string> components;  ///< likewise: "R", "G", "B"; 1 to 16, all different
     bool operator==(const AuxLayer&) const = default;
 };

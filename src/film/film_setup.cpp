@@ -1,5 +1,6 @@
 #include "film/film_setup.h"
 
+#include "core/parameters.h"
 #include "film/filter_sampler.h"
 
 namespace emulsion {
@@ -9,6 +10,13 @@ namespace {
 const FilmOptions& validated(const FilmOptions& options) {
     validate(options);
     return options;
+}
+
+/// What samples are compared with, in single precision: with the imaging ratio.
+float max_luminance_of(const LuminanceClamp& clamp, const SensorOptions& sensor) {
+    const double limit = static_cast<double>(clamp.max_luminance_cdm2) * imaging_ratio(sensor);
+    check_range(limit, {kMinImagingRatio, kMaxImagingRatio}, "film: firefly control clamp: luminance * imaging ratio");
+    return static_cast<float>(limit);
 }
 
 }  // namespace
@@ -24,8 +32,7 @@ FilmSetup::FilmSetup(const FilmOptions& film_options)
         sample_bounds = footprint->places_that_reach(bounds);
     }
     if (const auto* const clamp = std::get_if<LuminanceClamp>(&options.firefly_control)) {
-        max_luminance =
-            static_cast<float>(static_cast<double>(clamp->max_luminance_cdm2) * imaging_ratio(options.sensor));
+        max_luminance = max_luminance_of(*clamp, options.sensor);
     }
     if (const auto* const median = std::get_if<MedianOfMeans>(&options.firefly_control)) mean_groups = median->groups;
     if (options.variance != FilmVariance::none) {

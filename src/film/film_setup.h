@@ -13,7 +13,8 @@
 namespace emulsion {
 
 struct FilmSetup {
-    /// \throws std::invalid_argument as validate(FilmOptions), Sensor and FilterFootprint do.
+    /// \throws std::invalid_argument as validate(FilmOptions), Sensor and FilterFootprint do, and for a LuminanceClamp
+    /// whose product with the imaging ratio is outside [1e-30, 1e30].
     explicit FilmSetup(const FilmOptions& film_options);
 
     FilmOptions options;
@@ -23,7 +24,7 @@ struct FilmSetup {
     PixelBounds bounds;                        ///< the film's pixels
     PixelBounds sample_bounds;                 ///< places that reach any of them, in whole pixels; may leave the frame
     /// Above it samples are scaled down: cd/m^2 times the imaging ratio.
-    float max_luminance = std::numeric_limits<float>::infinity();
+    float max_luminance = std::numeric_limits<float>::max();
     int mean_groups = 0;  ///< of MedianOfMeans; 0 without
     /// Of the samples that a pixel has, by the filter alone; of a mean weight of 1. 1 without variances.
     double mean_square_weight = 1.0;

@@ -115,7 +115,7 @@ template <class Sums>
 void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample,
                                              float weight) noexcept {
     const float share = kept_share(sample, max_luminance_);
-    if (share == 0.0f || !std::isfinite(weight)) return drop(x, y, sample.xyz, weight);
+    if (share == 0.0f || !std::isfinite(weight)) return drop(x, y, sample, weight);
     const XYZ value = share * sample.xyz;
     pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z),
                    static_cast<double>(weight));
@@ -191,7 +191,7 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     if (!footprint_ || !has_place(x_px, y_px)) return;
     const float share = kept_share(sample, max_luminance_);
     if (share == 0.0f) {
-        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
+        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample, 1.0f);
     }
     if (share < 1.0f) {
         ++clamped_.count;
@@ -217,7 +217,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
     assert(setup_->options.light_splats);
     if (setup_->channels.light_splat.size == 0 || !has_place(x_px, y_px)) return;
     if (kept_share(sample, std::numeric_limits<float>::infinity()) == 0.0f) {
-        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample.xyz, 1.0f);
+        return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample, 1.0f);
     }
     const double per_area = 1.0 / footprint_->area_px();
     for_each_pixel(block_reached(x_px, y_px), [&](std::size_t i, float weight) {
@@ -286,9 +286,10 @@ void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
 }
 
 template <class Sums>
-void BasicFilmTile<Sums>::drop(int x, int y, const XYZ& value, float weight) noexcept {
+void BasicFilmTile<Sums>::drop(int x, int y, const SensorSample& sample, float weight) noexcept {
     DroppedKind kind = DroppedKind::negative_luminance;
-    const std::array<float, 4> numbers = {value.x, value.y, value.z, weight};
+    const auto& [value, luminance] = sample;
+    const std::array<float, 5> numbers = {value.x, value.y, value.z, luminance, weight};
     if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {
         kind = DroppedKind::infinite;
     }

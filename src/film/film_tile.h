@@ -38,6 +38,8 @@ class BasicFilmTile {
     /// splats.
     BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup);
 
+    /// Of the film that it was made for.
+    [[nodiscard]] const FilmSetup& setup() const noexcept { return *setup_; }
     /// Where samples belong.
     [[nodiscard]] const PixelBounds& places() const noexcept { return places_; }
     /// The pixels that the tile holds.
@@ -158,7 +160,7 @@ class BasicFilmTile {
     }
     /// The same for all pixels, once in so many splatted samples.
     void carry_all_in_time() noexcept;
-    void drop(int x, int y, const XYZ& value, float weight) noexcept;
+    void drop(int x, int y, const SensorSample& sample, float weight) noexcept;
 
     static constexpr std::uint32_t kSamplesPerCarry = 1u << 23;
     static_assert(kSamplesPerCarry <= ExactTilePixel::kAddsPerCarry);

@@ -22,7 +22,8 @@ struct NoFireflyControl {
 struct LuminanceClamp {
     static constexpr std::string_view kName = "clamp";
     static constexpr std::string_view kHelp = "samples are scaled down to a largest luminance";
-    float max_luminance_cdm2 = 1000.0f;  ///< of the light, before the imaging ratio; finite, > 0
+    /// Of the light, before the imaging ratio; finite, > 0, and in [1e-30, 1e30] together with it.
+    float max_luminance_cdm2 = 1000.0f;
     bool operator==(const LuminanceClamp&) const = default;
 
     static constexpr std::array kParameters = {Parameter<LuminanceClamp>{

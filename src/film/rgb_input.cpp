@@ -11,6 +11,8 @@ RgbInput::RgbInput(const RgbSpace& space, double imaging_ratio, double white_lum
     : exact_(xyz_from_rgb(space)) {
     check_range(imaging_ratio, {kMinImagingRatio, kMaxImagingRatio}, "RGB input: imaging_ratio");
     check_range(white_luminance_cdm2, {kMinImagingRatio, kMaxImagingRatio}, "RGB input: white_luminance_cdm2");
+    check_range(white_luminance_cdm2 * imaging_ratio, {kMinImagingRatio, kMaxImagingRatio},
+                "RGB input: white_luminance_cdm2 * imaging_ratio");
     std::size_t i = 0;
     for (auto& row : exact_.m) {
         for (double& entry : row) {

@@ -13,8 +13,8 @@ namespace emulsion {
 class RgbInput {
   public:
     /// `imaging_ratio` is that of the film's sensor: film.sensor().imaging_ratio().
-    /// \throws std::invalid_argument if the space's primaries lie on one line, and for a white luminance or imaging
-    /// ratio outside [1e-30, 1e30].
+    /// \throws std::invalid_argument if the space's primaries lie on one line, and for a white luminance, an
+    /// imaging ratio or a product of both outside [1e-30, 1e30].
     explicit RgbInput(const RgbSpace& space, double imaging_ratio = 1.0, double white_luminance_cdm2 = 1.0);
 
     /// In single precision: agrees with to_xyz_reference() to 4e-7 of the sum of all terms taken positive.

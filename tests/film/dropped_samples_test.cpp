@@ -1,6 +1,7 @@
 #include "film/dropped_samples.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -40,6 +41,23 @@ TEST(DroppedSamples, KeepsBadSamplesOutAndReportsThem) {
     EXPECT_EQ(dropped.count(DroppedKind::negative_luminance), 1u);
     ASSERT_EQ(dropped.first().size(), 8u);
     EXPECT_EQ(dropped.first()[0].x_px, 1);
+}
+
+// The luminance overflows, and what the balanced sensor makes of the light does not.
+TEST(DroppedSamples, AnInfiniteLuminanceIsInfinite) {
+    Film film({.width_px = 1, .height_px = 1, .sensor = {.white_balance = WhiteBalance{TemperatureWhite{3000.0}}}});
+    FilmTile tile = film.make_tile(film.bounds());
+    SensorSample sample;
+    const SampledWavelengths<1> yellow{{570.0f}, {1.0f}};
+    SampledSpectrum<1> radiance(1e30f);
+    while (std::isfinite(sample.luminance)) {
+        radiance *= 1.001f;
+        sample = film.sensor().sense(yellow, radiance);
+    }
+    ASSERT_TRUE(std::isfinite(sample.xyz.x) && std::isfinite(sample.xyz.y) && std::isfinite(sample.xyz.z));
+    tile.add(0, 0, yellow, radiance, 1.0f);
+    EXPECT_EQ(tile.sample_count(), 0u);
+    EXPECT_EQ(tile.dropped().count(DroppedKind::infinite), 1u);
 }
 
 TEST(DroppedSamples, ReportsADroppedSampleInWords) {

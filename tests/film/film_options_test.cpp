@@ -69,7 +69,9 @@ TEST(FilmOptions, AuxiliaryLayersAreValidated) {
     expect_refused(with({{"", {"R"}}}), "aux.name is \"\"", "letters");
     expect_refused(with({{"a.b", {"R"}}}), "aux.name is \"a.b\"", "letters");
     expect_refused(with({{"a", {"R"}}, {"a", {"G"}}}), "\"a\" twice", "different");
-    expect_refused(with({{"variance", {"Y"}}}), "\"variance\"", "film file's own");
+    for (const char* taken : {"variance", "standard-error", "S0"}) {
+        expect_refused(with({{taken, {"Y"}}}), taken, "that the film's files don't have");
+    }
     expect_refused(with({{"a", {}}}), "aux \"a\": components has 0", "1 to 16");
     expect_refused(with({{"a", std::vector<std::string>(17, "x")}}), "has 17", "1 to 16");
     expect_refused(with({{"a", {"R", "R"}}}), "twice", "different");

@@ -48,6 +48,49 @@ TEST(Film, TilesMustLieInside) {
     EXPECT_THROW(film.merge(larger.make_tile(larger.bounds())), std::invalid_argument);
 }
 
+// The tile's places are inside, and so are its sums alike; but its filter reaches pixels that the film has not, or its
+// sensor saw another light.
+TEST(Film, TilesOfOtherOptionsAreRefused) {
+    FilmOptions whole = options(40, 40);
+    whole.filter = TriangleFilter{};
+    whole.filter_use = FilterUse::splatted;
+    FilmOptions cut = whole;
+    cut.crop = PixelBounds{10, 10, 20, 20};
+    FilmOptions bright = whole;
+    bright.sensor.iso = 200.0;
+    Film film(cut);
+    for (const FilmOptions& other : {whole, bright}) {
+        const FilmTile tile = Film(other).make_tile({10, 10, 20, 20});
+        EXPECT_THAT([&] { film.merge(tile); }, ThrowsMessage<std::invalid_argument>(HasSubstr("other options")));
+    }
+    film.merge(Film(cut).make_tile({10, 10, 20, 20}));
+}
+
+TEST(Film, MergesOfOtherFilmsSayWhatDiffers) {
+    Film film(options(8, 6));
+    const auto expect_refused = [&](const FilmOptions& other, const char* message) {
+        EXPECT_THAT([&] { film.merge(Film(other)); }, ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
+    };
+    expect_refused({.width_px = 9, .height_px = 6}, "9x6");
+    expect_refused({.width_px = 8, .height_px = 6, .crop = PixelBounds{1, 2, 3, 4}}, "[1, 3) x [2, 4)");
+    expect_refused({.width_px = 8, .height_px = 6, .sensor = {.iso = 200.0}}, "iso=200");
+    expect_refused({.width_px = 8, .height_px = 6, .light_splats = true}, "light-splats=yes");
+}
+
+TEST(Film, ContentsMustHaveItsSize) {
+    FilmOptions with_squares = options(3, 2);
+    with_squares.variance = FilmVariance::xyz;
+    const Film film(with_squares);
+    EXPECT_NO_THROW(Film(with_squares, film.contents()));
+    FilmContents<ExactSums> contents = film.contents();
+    contents.pixels.pop_back();
+    EXPECT_THROW(Film(with_squares, contents), std::invalid_argument);
+    contents = film.contents();
+    contents.channels = ChannelSums(film.setup().channels, 5);
+    EXPECT_THROW(Film(with_squares, contents), std::invalid_argument);
+    EXPECT_THROW(Film(options(3, 2), film.contents()), std::invalid_argument);
+}
+
 TEST(Film, PixelIsTheWeightedMean) {
     Film film(options(4, 3));
     FilmTile tile = film.make_tile({1, 1, 3, 3});

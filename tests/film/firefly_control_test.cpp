@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,17 @@ TEST(FireflyControl, ClampScalesDownAndKeepsCount) {
     EXPECT_EQ(counts.dropped.count(DroppedKind::infinite), 2u);
     EXPECT_EQ(counts.dropped.count(DroppedKind::nan), 1u);
     EXPECT_EQ(film.xyz_image()(0, 0), (XYZ{1.5f, 20.0f, 21.5f}));
+}
+
+// A limit that no float holds would keep every sample out, or none.
+TEST(FireflyControl, RefusesAClampBeyondSinglePrecision) {
+    FilmOptions options{.width_px = 1, .height_px = 1, .firefly_control = LuminanceClamp{1e-20f}};
+    EXPECT_NO_THROW(Film{options});
+    options.sensor.exposure_time_s = 1e-25;
+    EXPECT_THROW(Film{options}, std::invalid_argument);
+    options.sensor.exposure_time_s = 1e25;
+    options.firefly_control = LuminanceClamp{1e20f};
+    EXPECT_THROW(Film{options}, std::invalid_argument);
 }
 
 // What was removed is what the plain film has more: the bias that the file's header states.

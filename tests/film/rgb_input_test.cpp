@@ -53,6 +53,8 @@ TEST(RgbInput, ComesBackFromTheFilm) {
 TEST(RgbInput, RefusesWhatHasNoSize) {
     EXPECT_THROW(RgbInput(rgb_space("sRGB"), 0.0), std::invalid_argument);
     EXPECT_THROW(RgbInput(rgb_space("sRGB"), 1.0, std::nan("")), std::invalid_argument);
+    EXPECT_THROW(RgbInput(rgb_space("sRGB"), 1e20, 1e20), std::invalid_argument) << "no float holds 1e40";
+    EXPECT_THROW(RgbInput(rgb_space("sRGB"), 1e-20, 1e-20), std::invalid_argument);
 }
 
 }  // namespace
