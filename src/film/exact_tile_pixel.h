@@ -21,6 +21,11 @@
 #include "film/vectors.h"
 #include "film/weighted_sums.h"
 
+// add() is inlined into the renderer, and (a + b - c) + d is nothing but rounding to such compilers.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || __FINITE_MATH_ONLY__
+#error "emulsion: exact sums need exact arithmetic; compile what includes the film without -ffast-math"
+#endif
+
 namespace emulsion {
 
 class alignas(64) ExactTilePixel {  // a line of the cache

@@ -16,13 +16,13 @@ double inside(const Filter& filter, FilterAxis axis, double offset_px) noexcept 
     return eval(filter, axis, std::min(std::abs(offset_px), std::nextafter(radius, 0.0)));
 }
 
-/// 2 radius / the integral of f, by midpoints.
+/// 2 radius / the integral of f, by midpoints, at least 32 to a pixel.
 double mean_weight_scale(const Filter& filter, FilterAxis axis) {
-    constexpr int kPoints = 1 << 15;
     const double radius = radius_px(filter, axis);
+    const int points = std::max(1 << 15, static_cast<int>(32.0 * radius));
     double sum = 0.0;
-    for (int i = 0; i < kPoints; ++i) sum += eval(filter, axis, (i + 0.5) * (radius / kPoints));
-    return kPoints / sum;
+    for (int i = 0; i < points; ++i) sum += eval(filter, axis, (i + 0.5) * (radius / points));
+    return points / sum;
 }
 
 }  // namespace

@@ -172,5 +172,17 @@ TEST(FilterSamplerWeights, MeanSquareIsThatOfTheSamples) {
     }
 }
 
+// Shapes of less than a pixel in a support of thousands: the mean weight is still 1.
+TEST(FilterFootprint, WideSupportsOfNarrowShapesAreNormalised) {
+    for (const float radius : {4096.0f, 65536.0f}) {
+        const FilterFootprint footprint(GaussianFilter{radius, 2.0f, 0.25f});
+        constexpr double kStep = 1.0 / 64.0;  // of midpoints: 16 to a standard deviation
+        double integral = 0.0;
+        for (int i = -256; i < 256; ++i)
+            integral += kStep * footprint.weight_reference(FilterAxis::x, (i + 0.5) * kStep);
+        EXPECT_NEAR(integral / (2.0 * static_cast<double>(radius)), 1.0, 1e-6) << radius;
+    }
+}
+
 }  // namespace
 }  // namespace emulsion
