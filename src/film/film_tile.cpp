@@ -80,6 +80,7 @@ BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const Fil
       max_luminance_(setup_->max_luminance),
       has_channels_(setup_->channels.squares > 0 || setup_->mean_groups > 0),
       has_buckets_(setup_->channels.buckets.size > 0),
+      has_more_(has_channels_ || setup_->footprint.has_value()),
       mean_groups_(setup_->mean_groups),
       pixels_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
@@ -93,7 +94,7 @@ void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     channels_.clear();
     group_ = 0;
-    spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
+    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
     dropped_ = {};
     clamped_ = {};
 }
@@ -122,7 +123,14 @@ void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const 
     ++clamped_.count;
     add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
     carry_in_time(i);
+    if (has_more_) add_more(i, value, weight);
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_more(std::size_t i, XYZ value, float weight) noexcept {
     if (has_channels_) add_channels(i, value, weight);
+    // Splats pass the counts by at which a pixel makes room by itself.
+    if (footprint_ != nullptr) carry_all_in_time();
 }
 
 template <class Sums>
@@ -208,6 +216,7 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
             if (has_buckets_) add_buckets(i, sample, spectral, weight);
         });
     }
+    ++spread_samples_;
     carry_all_in_time();
 }
 
@@ -277,9 +286,8 @@ void BasicFilmTile<Sums>::add_aux_to(std::size_t i, std::size_t layer, std::span
 
 template <class Sums>
 void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
-    ++spread_samples_;
     if constexpr (kCarries) {
-        if (spread_samples_ % kSamplesPerCarry != 0) [[likely]]
+        if (++since_carry_ % kSamplesPerCarry != 0) [[likely]]
             return;
         for (Pixel& pixel : pixels_) pixel.carry();
     }

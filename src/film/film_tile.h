@@ -119,9 +119,11 @@ class BasicFilmTile {
         if (!usual) [[unlikely]]
             return accumulate_unusual(i, x, y, {value, luminance}, weight);
         carry_in_time(i);
-        if (has_channels_) [[unlikely]]
-            add_channels(i, value, weight);
+        if (has_more_) [[unlikely]]
+            add_more(i, value, weight);
     }
+    /// What a sample does beside adding to its pixel, if the film has channels or splats.
+    void add_more(std::size_t i, XYZ value, float weight) noexcept;
 
     [[nodiscard]] std::size_t index(int x, int y) const noexcept {
         assert(bounds_.contains(x, y));
@@ -158,7 +160,7 @@ class BasicFilmTile {
                 pixels_[i].carry();
         }
     }
-    /// The same for all pixels, once in so many splatted samples.
+    /// The same for all pixels, once in so many samples of the tile.
     void carry_all_in_time() noexcept;
     void drop(int x, int y, const SensorSample& sample, float weight) noexcept;
 
@@ -173,13 +175,13 @@ class BasicFilmTile {
     const Sensor* sensor_;
     const FilterFootprint* footprint_;  // null if nothing is splatted
     float max_luminance_;
-    bool has_channels_, has_buckets_;
+    bool has_channels_, has_buckets_, has_more_;
     int mean_groups_;
 
     std::vector<Pixel> pixels_;
     ChannelSums channels_;
     int group_ = 0;
-    std::uint64_t spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
+    std::uint64_t since_carry_ = 0, spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
     DroppedSamples dropped_;
     ClampedSamples clamped_;
     std::vector<float> x_weights_, y_weights_;  // of one sample

@@ -272,6 +272,21 @@ TEST(FilmSplat, LightFromBeyondReachesInAndTheRestIsIgnored) {
     EXPECT_FLOAT_EQ(film.xyz_image()(1, 0).y, 0.0f);
 }
 
+// A pixel makes room in its sums when its count comes to certain numbers, which a splat in between may step over: sums
+// still stop at their end, and do not come round. 2^27 samples of nearly 2^27 cd/m^2.
+TEST(FilmSplat, MixedWithPlainSamplesSumsStillDoNotWrap) {
+    Film film(splatted(1, 1, BoxFilter{}));
+    FilmTile tile = film.make_tile(film.bounds());
+    const XYZ bright{0x1.fp26f, 0x1.fp26f, 0x1.fp26f};
+    for (int i = 0; i < (1 << 21); ++i) {
+        for (int k = 0; k < 63; ++k) tile.add(0, 0, bright, 1.0f);
+        tile.add_at(0.5f, 0.5f, bright);
+    }
+    film.merge(tile);
+    EXPECT_EQ(film.saturated_pixels(), 1);
+    EXPECT_GT(film.xyz_image()(0, 0).y, 1e6f);
+}
+
 TEST(FilmSplat, CountsEachSampleOnce) {
     Film film(splatted(8, 8, MitchellFilter{}));
     FilmTile tile = film.make_tile({0, 0, 8, 8});
