@@ -76,7 +76,7 @@ TEST(ExrLosses, TellEachKindAndNameTheTypeThatWasTooSmall) {
 }
 
 TEST_F(Losses, APictureOfBadSamplesOnlyIsAnError) {
-    const ProgramResult result = render(sky("1e38"), {"--spp", "2", "--wavelengths", "32"});
+    const ProgramResult result = render(sky("1e39"), {"--spp", "2", "--wavelengths", "32"});
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr("emulsion: error: all 2400 samples were bad: 0 NaN, 2400 infinite, 0 of negative "
                                       "luminance; nothing was written\n"));
