@@ -44,8 +44,9 @@ const std::vector<Sample>& samples() {
         Pcg32 random(1);
         for (std::size_t i = 0; i < kSamples; ++i) {
             const auto pixel = static_cast<int>(i / 16);
+            const int row = pixel / kSide_px;
             Sample s{static_cast<float>(2 + pixel % kSide_px) + random.next_float(),
-                     static_cast<float>(2 + pixel / kSide_px) + random.next_float(),
+                     static_cast<float>(2 + row) + random.next_float(),
                      {random.next_float(), random.next_float(), random.next_float()},
                      0,
                      0,
