@@ -100,6 +100,10 @@ int main(int argc, char** argv) {
         const int exit_code = run(argc, argv);
         if (exit_code == kDone) flush_output();
         return exit_code;
+    } catch (const CLI::ParseError& error) {
+        // Found only when the scene was read: two names for one file.
+        print_error(error.what());
+        return kBadUsage;
     } catch (const std::bad_alloc&) {
         print_error("out of memory");
     } catch (const std::exception& error) {

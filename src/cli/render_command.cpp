@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -54,10 +55,13 @@ OutputFiles output_files(const RenderSettings& settings, const Scene& scene) {
     OutputFiles files{settings.output.empty() ? default_exr(settings.scene, scene) : settings.output, settings.png, {}};
     const std::filesystem::path state = state_name(files.output);
     if (settings.checkpoint_s && state != files.output) files.state = state;
-    require_distinct({{"SCENE", settings.scene},
-                      {"the scene's film name", files.output},
-                      {"--png", files.png},
-                      {"--checkpoint", files.state}});
+    std::vector<NamedFile> all = {{"SCENE", settings.scene}, {"--sensor", settings.sensor.value_or("")}};
+    for (const std::filesystem::path& file : scene.files) all.push_back({"a file that the scene reads", file});
+    // A state that is gone on from may be written over by its successor only.
+    if (settings.resume && files.state.empty() && state != files.output) all.push_back({"--resume", state});
+    all.insert(all.end(),
+               {{"the scene's film name", files.output}, {"--png", files.png}, {"--checkpoint", files.state}});
+    require_distinct(all);
     // What can't be written is found out before the work, not after.
     check_writable(files.output);
     if (!files.png.empty()) check_writable(files.png);
@@ -132,7 +136,7 @@ int RenderCommand::run(const std::string& command_line) const {
     const RenderStart start{film_options(settings, scene), provenance_of(scene, options), samples_of(options)};
     std::optional<FilmState> state = resumed_state(settings, start, files.output);
     Film film = state ? Film(start.film, std::move(state->contents)) : Film(start.film);
-    FilmInProgress in_progress(film, state ? std::move(state->provenance) : start.provenance);
+    FilmInProgress in_progress(film, state ? state->provenance : start.provenance);
     state.reset();
 
     const PreparedScene prepared(std::move(scene), options.threads);

@@ -217,12 +217,21 @@ void add_layer_options(CLI::App& command, RenderSettings& settings) {
                "N[:MIN-MAX]");
 }
 
+/// Empty if the text is a time, else what is wrong with it.
+std::string is_seconds(const std::string& text) {
+    double seconds = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    const bool whole = error == std::errc{} && end == text.data() + text.size();
+    if (whole && std::isfinite(seconds) && seconds > 0.0) return {};
+    return "found \"" + text + "\", expected a number of seconds above 0";
+}
+
 void add_state_options(CLI::App& command, RenderSettings& settings) {
     command
         .add_option("--checkpoint", settings.checkpoint_s,
                     "Every so many seconds, and at the end, write a film state: NAME.film.exr beside NAME.exr "
                     "[default: none]")
-        ->check(CLI::PositiveNumber)
+        ->check(is_seconds)
         ->option_text("SECONDS");
     command.add_flag("--resume", settings.resume,
                      "Go on from that state, if it is there [default: start anew and replace it]");

@@ -126,6 +126,7 @@ struct FilmImage : FilmPicture {
 /// said: other parts, subsampled channels and, without layers, the channels of no layer that hold no counts.
 /// \throws IoError in one line if the file is missing, a folder, not an EXR, deep, damaged, incomplete, or holds other
 /// channels.
+/// \throws IoError likewise for a film state of which any bit has changed.
 /// \throws std::invalid_argument if threads < 0.
 [[nodiscard]] FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& options = {});
 

@@ -24,6 +24,7 @@
 #include "film/exr_metadata.h"
 #include "film/exr_read_header.h"
 #include "film/exr_threads.h"
+#include "film/film_state_checksum.h"
 
 namespace emulsion {
 
@@ -120,6 +121,8 @@ FilmImage read_checked(Imf::MultiPartInputFile& file, const ExrReadOptions& opti
 FilmImage read_exr(const std::filesystem::path& path, const ExrReadOptions& options) {
     const int exr_threads = use_exr_threads(options.threads);
     check_exr_header(path);
+    HeaderReader bytes(path);
+    if (const auto mark = find_mark(bytes)) require_whole(bytes, *mark);
     try {
         constexpr bool kReconstructChunkTable = false;
         Imf::MultiPartInputFile file(path.c_str(), exr_threads, kReconstructChunkTable);

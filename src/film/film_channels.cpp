@@ -4,7 +4,8 @@
 
 namespace emulsion {
 
-FilmChannels::FilmChannels(const FilmOptions& options) {
+FilmChannels::FilmChannels(const FilmOptions& options)
+    : squares(options.variance == FilmVariance::none ? 0 : (options.variance == FilmVariance::luminance ? 1 : 3)) {
     const auto place = [this](int size) {
         const Group group{sums, size};
         sums += size;
@@ -17,7 +18,6 @@ FilmChannels::FilmChannels(const FilmOptions& options) {
     for (const AuxLayer& layer : options.aux) aux.push_back(place(static_cast<int>(layer.components.size()) + 1));
     const auto* const median = std::get_if<MedianOfMeans>(&options.firefly_control);
     means = place(median != nullptr ? 4 * median->groups : 0);
-    squares = options.variance == FilmVariance::none ? 0 : (options.variance == FilmVariance::luminance ? 1 : 3);
 }
 
 ChannelSums::ChannelSums(const FilmChannels& channels, std::size_t pixels)

@@ -50,9 +50,11 @@ std::string bias_text(const NoFireflyControl& /*none*/, const FilmContents<Exact
 std::string bias_text(const LuminanceClamp& clamp, const FilmContents<ExactSums>& contents,
                       const FilmOptions& options) {
     const ClampedSamples& clamped = contents.counts.clamped;
-    const auto samples = static_cast<double>(contents.counts.samples);
+    // Per weight, as the pixels' own means are.
+    double weights = 0.0;
+    for (const ExactFilmPixel& pixel : contents.pixels) weights += pixel.sums().weight;
     const double removed_cdm2 =
-        samples > 0.0 ? clamped.removed_luminance.value() / (samples * imaging_ratio(options.sensor)) : 0.0;
+        weights > 0.0 ? clamped.removed_luminance.value() / (weights * imaging_ratio(options.sensor)) : 0.0;
     const double left_cdm2 = mean_luminance(contents, options, mean_of).plain_cdm2;
     return fmt::format("{}; {} of {} samples were scaled down; mean luminance lowered by {:.4g} cd/m^2, {}",
                        to_text(clamp), clamped.count, contents.counts.samples, removed_cdm2,

@@ -79,6 +79,15 @@ std::string checksum_of(HeaderReader& file, const FilmStateMark& mark) {
     return hash.hex();
 }
 
+void require_whole(HeaderReader& file, const FilmStateMark& mark) {
+    if (checksum_of(file, mark) != mark.checksum) {
+        file.fail("is a film state that is damaged or cut off: its bytes are not those that were written");
+    }
+    if (mark.version != kFilmStateVersion) {
+        file.fail("is a film state of version " + mark.version + ", expected " + kFilmStateVersion);
+    }
+}
+
 void seal(const std::filesystem::path& file, const std::filesystem::path& named) {
     try {
         HeaderReader reader(file);

@@ -32,6 +32,9 @@ void add_mark(Imf::Header& header);
 /// Of the whole file, in pieces; leaves the stream at its beginning. \throws IoError if it can't be read.
 [[nodiscard]] std::string checksum_of(HeaderReader& file, const FilmStateMark& mark);
 
+/// \throws IoError unless the file's bytes are those that were written, and its version is ours.
+void require_whole(HeaderReader& file, const FilmStateMark& mark);
+
 /// Puts the checksum into a file that has room for it. \throws IoError naming `named`.
 void seal(const std::filesystem::path& file, const std::filesystem::path& named);
 

@@ -145,8 +145,8 @@ void BasicFilmTile<Sums>::add_channels(std::size_t i, XYZ value, float weight) n
         squares[2] += SquareSum(w * product(value.z, value.z));
     }
     if (mean_groups_ == 0) return;
-    const std::span<ExactSum> mean =
-        channels_.sums(i).subspan(static_cast<std::size_t>(setup_->channels.means.begin + 4 * group_), 4);
+    const int place = setup_->channels.means.begin + 4 * group_;
+    const std::span<ExactSum> mean = channels_.sums(i).subspan(static_cast<std::size_t>(place), 4);
     add_to(mean[0], product(weight, value.x));
     add_to(mean[1], product(weight, value.y));
     add_to(mean[2], product(weight, value.z));
@@ -201,13 +201,16 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     if (share == 0.0f) {
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample, 1.0f);
     }
-    if (share < 1.0f) {
-        ++clamped_.count;
-        add_to(clamped_.removed_luminance, static_cast<double>(sample.luminance - share * sample.luminance));
-    }
     const XYZ value = share * sample.xyz;
     const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
     const Block block = block_reached(x_px, y_px);
+    if (share < 1.0f) {
+        const auto removed = static_cast<double>(sample.luminance - share * sample.luminance);
+        double weights = 0.0;
+        for_each_pixel(block, [&](std::size_t, float weight) { weights += static_cast<double>(weight); });
+        ++clamped_.count;
+        add_to(clamped_.removed_luminance, weights * removed);
+    }
     add_block(pixels_.data() + block.first, width_, block.x_weights, block.y_weights, exact_value);
     spread_touches_ += block.x_weights.size() * block.y_weights.size();
     if (has_channels_ || has_buckets_) [[unlikely]] {

@@ -13,14 +13,17 @@ std::span<const ExactSum> group_of(const PixelSums& sums, const FilmChannels::Gr
     return sums.channels.subspan(static_cast<std::size_t>(group.begin), static_cast<std::size_t>(group.size));
 }
 
+/// Whether weights of so many samples leave a value; of those that had one, where not all of them have.
+bool is_enough(double weight, double samples) noexcept { return weight > 0.0 && weight >= kMinMeanWeight * samples; }
+
 /// The median by luminance; none if no group has a value.
-std::optional<XYZd> median_of_means(std::span<const ExactSum> groups) noexcept {
+std::optional<XYZd> median_of_means(std::span<const ExactSum> groups, std::uint32_t samples) noexcept {
     std::array<XYZd, MedianOfMeans::kMostGroups> means;
     std::size_t count = 0;
     for (std::size_t at = 0; at < groups.size(); at += 4) {
         const double weight = groups[at + 3].value();
-        // As small a part of one sample of mean weight as a pixel's weights may be in the mean.
-        if (!(weight >= kMinMeanWeight)) continue;
+        // A group has one in so many of the samples.
+        if (!is_enough(weight, static_cast<double>(4 * samples) / static_cast<double>(groups.size()))) continue;
         means[count++] = (1.0 / weight) * XYZd{groups[at].value(), groups[at + 1].value(), groups[at + 2].value()};
     }
     if (count == 0) return std::nullopt;
@@ -38,8 +41,7 @@ double variance(double mean_square, double mean, double effective_samples) noexc
 }  // namespace
 
 bool has_value(const PixelSums& sums) noexcept {
-    const double weight = sums.weighted.weight;
-    return weight > 0.0 && weight >= kMinMeanWeight * static_cast<double>(sums.samples);
+    return is_enough(sums.weighted.weight, static_cast<double>(sums.samples));
 }
 
 std::optional<XYZd> mean_of(const PixelSums& sums) noexcept {
@@ -50,7 +52,7 @@ std::optional<XYZd> mean_of(const PixelSums& sums) noexcept {
 
 std::optional<XYZd> camera_value_of(const PixelSums& sums, const FilmSetup& setup) noexcept {
     if (setup.mean_groups == 0 || !has_value(sums)) return mean_of(sums);
-    return median_of_means(group_of(sums, setup.channels.means));
+    return median_of_means(group_of(sums, setup.channels.means), sums.samples);
 }
 
 XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t light_paths) noexcept {
@@ -84,8 +86,9 @@ std::optional<double> bucket_radiance_of(const PixelSums& sums, const FilmSetup&
     const auto at = static_cast<std::size_t>(bucket);
     std::optional<double> radiance;
     const double covered = group_of(sums, setup.channels.buckets)[2 * at + 1].value();
-    // As in median_of_means.
-    if (covered >= kMinMeanWeight) radiance = group_of(sums, setup.channels.buckets)[2 * at].value() / covered;
+    if (is_enough(covered, static_cast<double>(sums.samples))) {
+        radiance = group_of(sums, setup.channels.buckets)[2 * at].value() / covered;
+    }
     const std::span<const ExactSum> splats = group_of(sums, setup.channels.bucket_splats);
     if (splats.empty() || light_paths == 0) return radiance;
     return radiance.value_or(0.0) + splats[at].value() / static_cast<double>(light_paths);
@@ -94,7 +97,7 @@ std::optional<double> bucket_radiance_of(const PixelSums& sums, const FilmSetup&
 double aux_value_of(const PixelSums& sums, const FilmSetup& setup, std::size_t layer, std::size_t component) noexcept {
     const std::span<const ExactSum> values = group_of(sums, setup.channels.aux[layer]);
     const double weight = values.back().value();
-    return weight >= kMinMeanWeight ? values[component].value() / weight : 0.0;
+    return is_enough(weight, static_cast<double>(sums.samples)) ? values[component].value() / weight : 0.0;
 }
 
 }  // namespace emulsion

@@ -45,6 +45,8 @@ struct PixelSums {
 /// (FilmSetup): what n samples of weight 1 would be as good as. Exact, but for terms of the order of 1/n, for samples
 /// that are independent of each other and, where weights are not all the same, of their weights. Stratified and
 /// low-discrepancy samples do better than independent ones, so that their error is overestimated.
+/// Under filters with negative lobes samples in a lobe count against the variance: at edges it is too small there, down
+/// to 0. Where errors decide about anything, take a filter without.
 /// Source: Kish, "Survey Sampling", 1965, section 11.7.
 struct PixelVariance {
     /// Of the samples: n / (n - 1) (sum(w v^2) / sum(w) - (sum(w v) / sum(w))^2), at least 0; the square of cd/m^2
@@ -60,7 +62,8 @@ struct PixelVariance {
 [[nodiscard]] std::optional<double> bucket_radiance_of(const PixelSums& sums, const FilmSetup& setup, int bucket,
                                                        std::uint64_t light_paths) noexcept;
 
-/// The weighted mean of a component of an auxiliary layer, over the samples that see something; 0 if none does.
+/// The weighted mean of a component of an auxiliary layer, over the samples that see something; 0 if fewer than one in
+/// 64 do, or if their weights cancel to that. Under filters with negative lobes it may leave the range of the values.
 [[nodiscard]] double aux_value_of(const PixelSums& sums, const FilmSetup& setup, std::size_t layer,
                                   std::size_t component) noexcept;
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -137,7 +138,8 @@ struct Scene {
     std::vector<Light> lights;
     /// Of the contents of all files that the scene was read from (core/content_hash.h); empty: of no file.
     std::string hash;
-    std::vector<std::string> warnings;  ///< file:line:column: what was taken otherwise than written, and how
+    std::vector<std::filesystem::path> files;  ///< that were read, beside the scene file itself
+    std::vector<std::string> warnings;         ///< file:line:column: what was taken otherwise than written, and how
 };
 
 }  // namespace emulsion

@@ -59,7 +59,7 @@ class SceneBuilder {
     /// The scene, at the end of the text.
     [[nodiscard]] Scene finish(const SourcePlace& end);
     /// Of the contents of the files that the scene names, so far.
-    [[nodiscard]] const ContentHash& files_read() const noexcept { return spectra_.files_read(); }
+    [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return spectra_.files_read(); }
 
   private:
     struct NamedMaterial {

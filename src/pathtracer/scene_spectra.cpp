@@ -104,6 +104,7 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files,
     // With its size, so that the end of one file and the beginning of the next don't pass for each other.
     files.contents.add(fmt::format("{}:", content.size()));
     files.contents.add(content);
+    files.read.push_back(path);
     return read_spectrum_file(path, content, bounds);
 }
 

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/content_hash.h"
 #include "pathtracer/scene.h"
@@ -19,17 +20,18 @@ namespace emulsion {
 
 /// Files that a scene reads spectra from.
 struct SpectrumFiles {
-    std::filesystem::path folder;  ///< of relative names
-    ContentHash contents;          ///< of the files that were read, in the order of reading
+    std::filesystem::path folder;             ///< of relative names
+    ContentHash contents;                     ///< of the files that were read, in the order of reading
+    std::vector<std::filesystem::path> read;  ///< in that order
 };
 
 /// Reads the spectra of one scene.
 class SpectrumReader {
   public:
     /// Relative file names are looked for in `folder`.
-    explicit SpectrumReader(std::filesystem::path folder) : files_{std::move(folder), {}} {}
+    explicit SpectrumReader(std::filesystem::path folder) : files_{std::move(folder), {}, {}} {}
 
-    [[nodiscard]] const ContentHash& files_read() const noexcept { return files_.contents; }
+    [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return files_; }
 
     /// A reflectance.
     /// \throws SceneError if it is malformed, unknown, or outside [0, 1] at any of its points (pbrt-v4 refuses such RGB

@@ -52,6 +52,25 @@ class RenderState : public ::testing::Test {
     const std::string scene_ = folder_.file("small.pbrt");
 };
 
+// What a render reads is not written over: a camera's curves, the state that it goes on from, a scene's spectra.
+TEST_F(RenderState, OutputsDoNotLandOnInputs) {
+    const auto expect_kept = [&](const std::string& input, std::vector<std::string> arguments) {
+        const std::string before = read_text(input);
+        arguments.insert(arguments.end(), {"-o", file("a.exr"), "--quiet", "--png", input});
+        const ProgramResult result = render(arguments);
+        EXPECT_EQ(result.exit_code, 2) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("--png"));
+        EXPECT_TRUE(read_text(input) == before) << input;
+    };
+    write_text(file("camera.csv"), "wavelength,r,g,b\n400,0,0,1\n500,0,1,1\n600,1,1,0\n700,1,0,0\n");
+    expect_kept(file("camera.csv"), {"--sensor", file("camera.csv")});
+    ASSERT_EQ(render({"-o", file("a.exr"), "--checkpoint", "9", "--quiet"}).exit_code, 0);
+    expect_kept(file("a.film.exr"), {"--resume"});
+    write_text(file("lamp.spd"), "400 1 700 2\n");
+    write_text(scene_, kSmallScene + "\nLightSource \"point\" \"spectrum I\" \"lamp.spd\"\n");
+    expect_kept(file("lamp.spd"), {});
+}
+
 // Kills at moments spread over the run; whatever was lost, the end is that of a run that nobody killed.
 TEST_F(RenderState, KilledAgainAndAgainItEndsWithTheSameBytes) {
     const std::vector<std::string> common{"--spp",      "64",  "--splat", "--aov",      "albedo,depth",

@@ -43,6 +43,21 @@ TEST(FilmAux, IsTheWeightedMeanOfSamplesThatSeeSomething) {
     EXPECT_EQ(film.xyz_image()(1, 0), (XYZ{1.0f, 1.0f, 1.0f}));
 }
 
+// As with XYZ: weights that cancel to less than 1/64 in the mean leave no value, however many samples there are.
+TEST(FilmAux, CancellingWeightsGiveNoValue) {
+    Film film(with_layers());
+    FilmTile tile = film.make_tile(film.bounds());
+    for (int i = 0; i < 100; ++i) {
+        for (const auto& [value, weight] : {std::pair(7.0f, 1.0f), std::pair(1.0f, -0.99f)}) {
+            tile.add(0, 0, XYZ{1.0f, 1.0f, 1.0f}, weight);
+            tile.add_aux(0, 0, 1, std::array{value}, weight);
+        }
+    }
+    film.merge(tile);
+    EXPECT_EQ(value_at(film, 0, 1, 0), 0.0);
+    EXPECT_EQ(film.pixels_without_value(), 16);
+}
+
 TEST(FilmAux, ValuesThatAreNotFiniteAreCounted) {
     Film film(with_layers());
     FilmTile tile = film.make_tile(film.bounds());

@@ -60,6 +60,27 @@ TEST_F(FilmStateDamage, AnyFlippedBitIsRefused) {
 }
 
 // Pieces of two versions of a file, as a file system may leave them after a crash.
+// Nor does the reader of pictures take one for whole. Only where the mark itself is gone may it be a plain EXR, which
+// then still has the right picture.
+TEST_F(FilmStateDamage, NoFlippedBitChangesThePicture) {
+    const fs::path path = file("a.film.exr");
+    write_film_state(path, small_state());
+    const Image<XYZ> expected = read_exr(path).xyz;
+    const std::string whole = read_text(path);
+    std::size_t refused = 0;
+    for (std::size_t place = 0; place < whole.size(); ++place) {
+        std::string flipped = whole;
+        flipped[place] = static_cast<char>(flipped[place] ^ (1 << place % 8));
+        write_bytes(path, flipped);
+        try {
+            ASSERT_EQ(read_exr(path).xyz, expected) << "byte " << place;
+        } catch (const IoError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, whole.size() - 200) << "all but those of the mark";
+}
+
 TEST_F(FilmStateDamage, MixturesOfTwoStatesAreRefused) {
     write_film_state(file("a.film.exr"), state_with({.width_px = 20, .height_px = 30}, 0, 2),
                      {.compression = NoCompression{}});

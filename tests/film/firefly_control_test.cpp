@@ -56,17 +56,21 @@ TEST(FireflyControl, RefusesAClampBeyondSinglePrecision) {
 // What was removed is what the plain film has more: the bias that the file's header states.
 TEST(FireflyControl, RemovedLuminanceIsTheDifferenceToThePlainFilm) {
     for (const FilterUse use : {FilterUse::importance_sampled, FilterUse::splatted}) {
-        FilmOptions options{.width_px = 1, .height_px = 1, .filter_use = use};
+        FilmOptions options{.width_px = 2, .height_px = 1, .filter = GaussianFilter{}, .filter_use = use};
         Film plain(options);
         options.firefly_control = LuminanceClamp{2.0f};
         Film clamped(options);
         for (Film* film : {&plain, &clamped}) {
-            FilmTile tile = film->make_tile(film->bounds());
+            // Splatted, most samples lie in the margin, and count for what of them reaches in.
+            const PixelBounds places = film->sample_bounds();
+            FilmTile tile = film->make_tile(places);
             Pcg32 random(6);
             for (int i = 0; i < 1000; ++i) {
                 const XYZ value = grey(std::exp(6.0f * random.next_float() - 4.0f));
                 if (use == FilterUse::splatted) {
-                    tile.add_at(0.5f, 0.5f, value);
+                    const float u = random.next_float(), v = random.next_float();
+                    tile.add_at(static_cast<float>(places.x0) + u * static_cast<float>(places.width()),
+                                static_cast<float>(places.y0) + v * static_cast<float>(places.height()), value);
                 } else {
                     tile.add(0, 0, value, i % 10 == 0 ? -0.5f : 1.0f);
                 }
