@@ -55,13 +55,14 @@ OutputFiles output_files(const RenderSettings& settings, const Scene& scene) {
     OutputFiles files{settings.output.empty() ? default_exr(settings.scene, scene) : settings.output, settings.png, {}};
     const std::filesystem::path state = state_name(files.output);
     if (settings.checkpoint_s && state != files.output) files.state = state;
-    std::vector<NamedFile> all = {{"SCENE", settings.scene}, {"--sensor", settings.sensor.value_or("")}};
-    for (const std::filesystem::path& file : scene.files) all.push_back({"a file that the scene reads", file});
+    std::vector<NamedFile> inputs = {{"SCENE", settings.scene}, {"--sensor", settings.sensor.value_or("")}};
+    for (const std::filesystem::path& file : scene.files) inputs.push_back({"a file that the scene reads", file});
     // A state that is gone on from may be written over by its successor only.
-    if (settings.resume && files.state.empty() && state != files.output) all.push_back({"--resume", state});
-    all.insert(all.end(),
-               {{"the scene's film name", files.output}, {"--png", files.png}, {"--checkpoint", files.state}});
-    require_distinct(all);
+    if (settings.resume && files.state.empty() && state != files.output) inputs.push_back({"--resume", state});
+    for (const NamedFile& input : inputs) {
+        require_distinct(
+            {input, {"the scene's film name", files.output}, {"--png", files.png}, {"--checkpoint", files.state}});
+    }
     // What can't be written is found out before the work, not after.
     check_writable(files.output);
     if (!files.png.empty()) check_writable(files.png);

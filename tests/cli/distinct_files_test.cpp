@@ -59,9 +59,9 @@ TEST_F(DistinctFiles, ArgumentsThatAreOneFileAreBadUsage) {
 }
 
 TEST_F(DistinctFiles, TheScenesOwnNameForTheExrIsMinded) {
-    expect_refused({"render", "small.pbrt", "--png", "small.exr"}, 1);
+    expect_refused({"render", "small.pbrt", "--png", "small.exr"}, 2);
     std::filesystem::create_symlink("small.pbrt", folder_.path() / "small.exr");
-    expect_refused({"render", "small.pbrt"}, 1);
+    expect_refused({"render", "small.pbrt"}, 2);
 }
 
 TEST_F(DistinctFiles, OthersAreLeftInPeace) {

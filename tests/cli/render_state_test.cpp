@@ -67,8 +67,10 @@ TEST_F(RenderState, OutputsDoNotLandOnInputs) {
     ASSERT_EQ(render({"-o", file("a.exr"), "--checkpoint", "9", "--quiet"}).exit_code, 0);
     expect_kept(file("a.film.exr"), {"--resume"});
     write_text(file("lamp.spd"), "400 1 700 2\n");
-    write_text(scene_, kSmallScene + "\nLightSource \"point\" \"spectrum I\" \"lamp.spd\"\n");
+    const std::string lamp = "LightSource \"point\" \"spectrum I\" \"lamp.spd\"\n";
+    write_text(scene_, kSmallScene + lamp + lamp);
     expect_kept(file("lamp.spd"), {});
+    EXPECT_EQ(render({"-o", file("a.exr"), "--quiet"}).exit_code, 0) << "what is read twice is no conflict";
 }
 
 // Kills at moments spread over the run; whatever was lost, the end is that of a run that nobody killed.
