@@ -220,8 +220,9 @@ TEST(FilmSplat, LightSplatsAreOverTheNumberOfPaths) {
         constexpr int kSide = 512;
         const auto width = static_cast<float>(places.width()), height = static_cast<float>(places.height());
         for (int i = 0; i < kSide * kSide; ++i) {
-            const float x = static_cast<float>(places.x0) + width * (static_cast<float>(i % kSide) + 0.5f) / kSide;
-            const float y = static_cast<float>(places.y0) + height * (static_cast<float>(i / kSide) + 0.5f) / kSide;
+            const int column = i % kSide, row = i / kSide;
+            const float x = static_cast<float>(places.x0) + width * (static_cast<float>(column) + 0.5f) / kSide;
+            const float y = static_cast<float>(places.y0) + height * (static_cast<float>(row) + 0.5f) / kSide;
             const auto value = static_cast<float>(scene(static_cast<double>(x), static_cast<double>(y)));
             tile.splat(x, y, XYZ{0.0f, value * width * height, 0.0f});
         }
