@@ -14,7 +14,7 @@ namespace emulsion {
 
 /// For sums of weight * Y^2 and the like, Y in cd/m^2: multiples of 2^-60 = 8.7e-19 in (-2^67, 2^67) = 1.5e20, in 16
 /// bytes. The square of 1e-6 cd/m^2 enters with an error of at most 4.4e-7 of itself; 2^67 is the sum of 1.4e8 samples
-/// of 1e6 cd/m^2, or of 58 of the sun's disc (1.6e9 cd/m^2).
+/// of 1e6 cd/m^2, or of 57 of the sun's disc (1.6e9 cd/m^2).
 using SquareSum = FixedPointSum<128, 60>;
 
 /// The places of a pixel's further sums: those of ExactSum in one row, those of SquareSum in another. A group that the

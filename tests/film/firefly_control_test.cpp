@@ -85,7 +85,7 @@ TEST(FireflyControl, RemovedLuminanceIsTheDifferenceToThePlainFilm) {
     }
 }
 
-/// 100 samples about 1 to each of 30 groups' worth, one of them a firefly.
+/// 500 samples about 1, a hundred to each of five groups, and one of them a firefly.
 void add_samples_with_firefly(Film& film, float firefly) {
     FilmTile tile = film.make_tile(film.bounds());
     Pcg32 random(3);
