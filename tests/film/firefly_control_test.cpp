@@ -133,7 +133,7 @@ TEST(FireflyControl, GroupsDoNotDependOnTheOrder) {
     const FilmOptions options{.width_px = 1, .height_px = 1, .firefly_control = MedianOfMeans{5}};
     Film forwards(options), backwards(options);
     for (std::uint64_t i = 0; i < 100; ++i) {
-        const auto add = [&options](Film& film, std::uint64_t index) {
+        const auto add = [](Film& film, std::uint64_t index) {
             FilmTile tile = film.make_tile(film.bounds());
             tile.set_sample_index(index);
             Pcg32 random(index);
