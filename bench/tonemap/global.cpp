@@ -57,8 +57,8 @@ ToneMapper alternative_of_range(benchmark::State& state) {
 
 /// Empty if the fast path keeps to its tolerance.
 std::string disagreement(const ToneMapper& mapper) {
-    const Image<XYZ> fast = tone_map(mapper, scene().view(), kWhite, 0).image;
-    const Image<XYZd> exact = tone_map_reference(mapper, scene().view(), {kWhite.x, kWhite.y, kWhite.z});
+    const Image<XYZ> fast = tone_map({mapper}, scene().view(), kWhite, 0).image;
+    const Image<XYZd> exact = tone_map_reference({mapper}, scene().view(), {kWhite.x, kWhite.y, kWhite.z});
     for (std::size_t i = 0; i < fast.pixels().size(); ++i) {
         const double difference = std::abs(fast.pixels()[i].y - exact.pixels()[i].y);
         if (!(difference <= 1e-6 * exact.pixels()[i].y)) return "pixel " + std::to_string(i) + " is off its twin";
@@ -95,7 +95,7 @@ void tone_map_fast(benchmark::State& state) {
     if (const std::string reason = disagreement(mapper); !reason.empty()) return state.SkipWithError(reason.c_str());
     Image<XYZ> display(scene().width(), scene().height());
     for (auto _ : state) {
-        tone_map_into(mapper, scene().view(), display.view(), kWhite, static_cast<int>(state.range(1)));
+        tone_map_into({mapper}, scene().view(), display.view(), kWhite, static_cast<int>(state.range(1)));
         benchmark::ClobberMemory();
     }
     count_pixels(state);
@@ -104,7 +104,7 @@ void tone_map_fast(benchmark::State& state) {
 void tone_map_twin(benchmark::State& state) {
     const auto mapper = alternative_of_range(state);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(tone_map_reference(mapper, scene().view(), {kWhite.x, kWhite.y, kWhite.z}));
+        benchmark::DoNotOptimize(tone_map_reference({mapper}, scene().view(), {kWhite.x, kWhite.y, kWhite.z}));
     }
     count_pixels(state);
 }

@@ -38,7 +38,7 @@ DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int thr
     validate(pipeline);
     DevelopReport report;
     const XYZ white = narrow(white_xyz(pipeline.display));
-    ToneMapResult mapped = tone_map(pipeline.tone_mapper, scene.view(), white, threads);
+    ToneMapResult mapped = tone_map({pipeline.tone_mapper, pipeline.adaptation}, scene.view(), white, threads);
     report.luminance = mapped.statistics;
 
     Image<RGB> encoded(scene.width(), scene.height());

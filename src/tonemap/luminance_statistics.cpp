@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/row_blocks.h"
+#include "core/parallel.h"
 
 namespace emulsion {
 
@@ -78,7 +78,7 @@ void count(PixelCounts& counts, PixelClass pixel_class) noexcept {
     }
 }
 
-RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept {
+RowStatistics statistics_of_row(std::span<const XYZ> row, LuminanceHistogram& histogram) noexcept {
     RowStatistics gathered;
     LogSum log_sum;
     for (std::size_t x = 0; x < row.size(); ++x) {
@@ -86,6 +86,7 @@ RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept {
         if (pixel_class == PixelClass::positive) [[likely]] {
             const float luminance = row[x].y;
             log_sum.add(luminance);
+            histogram.add(luminance);
             gathered.min_positive = std::min(gathered.min_positive, luminance);
             gathered.max = std::max(gathered.max, luminance);
             ++gathered.counts.positive;
@@ -123,13 +124,53 @@ LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noex
     return statistics;
 }
 
+/// How many pixels at each end of the range are outliers.
+double outliers(const PixelCounts& counts) noexcept {
+    const std::int64_t share = counts.positive / 1000;
+    return static_cast<double>(share == 0 && counts.positive >= 64 ? 1 : share);
+}
+
+/// Parts of a picture that have a histogram each: few enough for their memory, enough for many threads. They depend on
+/// the size of the picture alone.
+int parts_of(ImageView<const XYZ> scene) noexcept {
+    constexpr std::size_t kLeastPixels = std::size_t{1} << 16u, kMost = 64;
+    const std::size_t parts = std::clamp(scene.pixels().size() / kLeastPixels, std::size_t{1}, kMost);
+    return std::min(scene.height(), static_cast<int>(parts));
+}
+
 }  // namespace
 
-LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads) {
+double SceneLuminance::robust_min_cdm2() const noexcept {
+    const double outside = outliers(statistics.counts);
+    if (outside == 0.0) return statistics.min_positive_cdm2;
+    return std::clamp(histogram.value_of_rank(outside), statistics.min_positive_cdm2, statistics.max_cdm2);
+}
+
+double SceneLuminance::robust_max_cdm2() const noexcept {
+    const double outside = outliers(statistics.counts);
+    if (outside == 0.0) return statistics.max_cdm2;
+    const double rank = static_cast<double>(statistics.counts.positive) - outside;
+    return std::clamp(histogram.value_of_rank(rank), statistics.min_positive_cdm2, statistics.max_cdm2);
+}
+
+SceneLuminance scene_luminance(ImageView<const XYZ> scene, int threads) {
+    const int parts = parts_of(scene);
     std::vector<RowStatistics> rows(static_cast<std::size_t>(scene.height()));
-    parallel_for_rows(scene.width(), scene.height(), threads,
-                      [&](int y) { rows[static_cast<std::size_t>(y)] = statistics_of_row(scene.row(y)); });
-    return statistics_of_rows(rows);
+    std::vector<LuminanceHistogram> histograms(static_cast<std::size_t>(parts));
+    const auto first_row = [&](int part) { return static_cast<int>(std::int64_t{scene.height()} * part / parts); };
+    parallel_for(0, parts, threads, [&](int part) {
+        LuminanceHistogram& histogram = histograms[static_cast<std::size_t>(part)];
+        for (int y = first_row(part); y < first_row(part + 1); ++y) {
+            rows[static_cast<std::size_t>(y)] = statistics_of_row(scene.row(y), histogram);
+        }
+    });
+    SceneLuminance result{statistics_of_rows(rows), {}};
+    for (const LuminanceHistogram& histogram : histograms) result.histogram += histogram;
+    return result;
+}
+
+LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads) {
+    return scene_luminance(scene, threads).statistics;
 }
 
 LuminanceStatistics luminance_statistics_reference(ImageView<const XYZ> scene) {

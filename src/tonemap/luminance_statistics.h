@@ -11,6 +11,7 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "tonemap/luminance_histogram.h"
 
 namespace emulsion {
 
@@ -41,6 +42,23 @@ struct LuminanceStatistics {
     bool operator==(const LuminanceStatistics&) const = default;
 };
 
+/// The statistics, and how the luminances of the positive pixels are spread.
+struct SceneLuminance {
+    LuminanceStatistics statistics;
+    LuminanceHistogram histogram;
+
+    /// The ends of the range without its outliers: the brightest and the darkest thousandth of the positive pixels,
+    /// rounded down, but at least one of 64 or more. Operators for which papers take the largest or the least luminance
+    /// take these, so that a single pixel does not decide about a picture. 0 if no pixel is positive.
+    [[nodiscard]] double robust_min_cdm2() const noexcept;
+    [[nodiscard]] double robust_max_cdm2() const noexcept;
+    bool operator==(const SceneLuminance&) const = default;
+};
+
+/// \throws std::invalid_argument if threads < 0.
+[[nodiscard]] SceneLuminance scene_luminance(ImageView<const XYZ> scene, int threads);
+
+/// The statistics alone.
 /// Sums in double precision, row by row in a fixed order: the same bits for every number of threads (0: all).
 /// ln is taken of products of up to 256 luminances, log-average within 1e-12 of the twin, relative.
 /// Source: Reinhard et al. 2002, eq. 1, with 1/N inside the exponential, where it belongs, and without delta.

@@ -42,26 +42,28 @@ template <class ExactScale>
     return representable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// display = scale(Y) * scene, with bad pixels as tone_map() says. `fast_scale(float)` may give NaN or Inf where single
-/// precision does not reach: such pixels, like all that are not plainly good, go to `exact_scale(double)`.
-template <class FastScale, class ExactScale>
+/// display = scale * scene, with bad pixels as tone_map() says. `row_scale(y)` gives the fast scales of a row, a
+/// function of x and Y in single precision that may give NaN or Inf where that does not reach: such pixels, like all
+/// that are not plainly good, go to `exact_scale_at(x, y)`, which gives a function of Y in double precision.
+template <class RowScale, class ExactScaleAt>
 void scale_pixels(ImageView<const XYZ> scene, ImageView<XYZ> display, const XYZ& display_white, int threads,
-                  const FastScale& fast_scale, const ExactScale& exact_scale) {
+                  const RowScale& row_scale, const ExactScaleAt& exact_scale_at) {
     constexpr auto kLimit = static_cast<float>(kMaxDisplayComponent);
     const XYZd white{display_white.x, display_white.y, display_white.z};
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<const XYZ> in = scene.row(y);
         const std::span<XYZ> out = display.row(y);
+        const auto fast_scale = row_scale(y);
         for (std::size_t x = 0; x < in.size(); ++x) {
             const XYZ pixel = in[x];
-            const XYZ scaled = fast_scale(pixel.y) * pixel;
+            const XYZ scaled = fast_scale(x, pixel.y) * pixel;
             const bool plain = pixel.y >= 0.0f && std::abs(scaled.x) <= kLimit && std::abs(scaled.y) <= kLimit &&
                                std::abs(scaled.z) <= kLimit;
             if (plain) [[likely]] {
                 out[x] = scaled;
                 continue;
             }
-            const XYZd exact = scaled_pixel(pixel, white, exact_scale);
+            const XYZd exact = scaled_pixel(pixel, white, exact_scale_at(x, y));
             out[x] = {static_cast<float>(exact.x), static_cast<float>(exact.y), static_cast<float>(exact.z)};
         }
     });

@@ -2,19 +2,41 @@
 // Tone mapping: from scene-referred XYZ, Y in cd/m^2, to display-relative XYZ, Y = 1 at display white. One scale for
 // each pixel, so that its chromaticity stays. Values above 1 and outside the display's gamut are left to src/display.
 
+#include <optional>
 #include <variant>
 
 #include "core/color.h"
 #include "core/image.h"
 #include "core/named_value.h"
+#include "tonemap/adaptation.h"
+#include "tonemap/contrast.h"
+#include "tonemap/fixed_white.h"
 #include "tonemap/luminance_statistics.h"
 #include "tonemap/max_to_white.h"
+#include "tonemap/operator_traits.h"
 #include "tonemap/reinhard_global.h"
+#include "tonemap/tone_reproduction.h"
 
 namespace emulsion {
 
 /// All operators; the first is the default. core/named_value.h prints, parses and lists them.
-using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite>;
+using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, ContrastScale>;
+
+/// What the operator itself says: see operator_traits.h, own_adaptation() and prepare() of each.
+[[nodiscard]] OperatorTraits traits_of(const ToneMapper& mapper) noexcept;
+[[nodiscard]] Adaptation own_adaptation(const ToneMapper& mapper);
+[[nodiscard]] ToneReproduction prepare(const ToneMapper& mapper, const SceneLuminance& luminance,
+                                       double adaptation_cdm2);
+
+/// An operator, and what it is adapted to.
+struct ToneMapping {
+    ToneMapper mapper = ReinhardGlobal{};
+    std::optional<Adaptation> adaptation = std::nullopt;  ///< none: the operator's own
+    bool operator==(const ToneMapping&) const = default;
+};
+
+/// \throws std::invalid_argument naming operator, parameter, value and range, for the first that is out of its range.
+void validate(const ToneMapping& mapping);
 
 struct ToneMapResult {
     Image<XYZ> image;                ///< display-relative; every component finite, Y >= 0
@@ -27,17 +49,18 @@ struct ToneMapResult {
 /// The result has the same bits for every number of threads (0: all).
 /// \throws std::invalid_argument if a parameter is out of its range, the picture is empty, or threads < 0.
 /// \param display_white XYZ of display white, Y = 1.
-[[nodiscard]] ToneMapResult tone_map(const ToneMapper& mapper, ImageView<const XYZ> scene, const XYZ& display_white,
+[[nodiscard]] ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white,
                                      int threads);
 
 /// The same into pixels that exist: `display` has the size of `scene`, and may be the same pixels.
 /// \throws std::invalid_argument as above, or if the sizes differ.
-LuminanceStatistics tone_map_into(const ToneMapper& mapper, ImageView<const XYZ> scene, ImageView<XYZ> display,
+LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XYZ> scene, ImageView<XYZ> display,
                                   const XYZ& display_white, int threads);
 
-/// The double-precision twin: the operators' formulas pixel by pixel, on one thread. tone_map() is within 1e-6 of it,
-/// relative in each component, down to 1e-37 absolute, and up to its limit of 2^100.
-[[nodiscard]] Image<XYZd> tone_map_reference(const ToneMapper& mapper, ImageView<const XYZ> scene,
+/// The double-precision twin, on one thread: the operator's functions for each pixel, and local adaptations as their
+/// sources have them. Of operators under one adaptation for the picture, tone_map() is within 2e-4 of it, relative in
+/// each component, down to 1e-37 absolute, and up to its limit of 2^100; where a curve has a corner, within 4e-3.
+[[nodiscard]] Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene,
                                              const XYZd& display_white);
 
 }  // namespace emulsion

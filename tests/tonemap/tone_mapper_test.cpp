@@ -34,7 +34,7 @@ std::vector<ToneMapper> all_mappers() {
 class EveryToneMapper : public testing::TestWithParam<ToneMapper> {
   protected:
     [[nodiscard]] static Image<XYZ> map(const Image<XYZ>& scene, int threads = 1) {
-        return tone_map(GetParam(), scene.view(), kWhite, threads).image;
+        return tone_map({GetParam()}, scene.view(), kWhite, threads).image;
     }
 };
 
@@ -42,21 +42,24 @@ bool is_sound(const XYZ& p) noexcept {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && p.y >= 0.0f;
 }
 
+/// What a display makes of it.
+float shown(const XYZ& pixel) noexcept { return std::min(pixel.y, 1.0f); }
+
 void expect_sound(const Image<XYZ>& image) {
     EXPECT_TRUE(std::all_of(image.pixels().begin(), image.pixels().end(), is_sound));
 }
 
-/// |fast - exact| <= 1e-6 |exact| + 1e-37 in each component: the stated tolerance.
+/// |fast - exact| <= 2e-4 |exact| + 1e-37 in each component: the stated tolerance.
 void expect_close(const XYZ& fast, const XYZd& exact, const std::string& where) {
-    const auto close = [](float a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b) + 1e-37; };
+    const auto close = [](float a, double b) { return std::abs(a - b) <= 2e-4 * std::abs(b) + 1e-37; };
     EXPECT_TRUE(close(fast.x, exact.x) && close(fast.y, exact.y) && close(fast.z, exact.z))
         << where << ": " << fast.x << " " << fast.y << " " << fast.z << ", exactly " << exact.x << " " << exact.y << " "
         << exact.z;
 }
 
 void expect_twin(const ToneMapper& mapper, const Image<XYZ>& scene) {
-    const Image<XYZ> fast = tone_map(mapper, scene.view(), kWhite, 0).image;
-    const Image<XYZd> exact = tone_map_reference(mapper, scene.view(), kWhiteD);
+    const Image<XYZ> fast = tone_map({mapper}, scene.view(), kWhite, 0).image;
+    const Image<XYZd> exact = tone_map_reference({mapper}, scene.view(), kWhiteD);
     expect_sound(fast);
     for (int y = 0; y < scene.height(); ++y) {
         for (int x = 0; x < scene.width(); ++x) {
@@ -113,7 +116,7 @@ TEST_P(EveryToneMapper, OneBrightPixelAmongBlackIsShown) {
     Image<XYZ> scene(5, 5);
     scene(2, 2) = grey(3.0f);
     const Image<XYZ> mapped = map(scene);
-    EXPECT_GT(mapped(2, 2).y, 0.1f);
+    EXPECT_GT(mapped(2, 2).y, 0.02f);
     EXPECT_LE(mapped(2, 2).y, 1.0f);
     EXPECT_EQ(mapped(0, 0), XYZ{});
 }
@@ -135,16 +138,20 @@ TEST_P(EveryToneMapper, IsMonotone) {
     for (int x = 1; x < ramp.width(); ++x) EXPECT_GE(mapped(x, 0).y, mapped(x - 1, 0).y) << x;
 }
 
-TEST_P(EveryToneMapper, DoesNotDependOnTheUnit) {
+TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
+    const bool cancels = traits_of(GetParam()).unit == UnitOfLuminance::cancels;
     const Image<XYZ> scene = random_scene(61, 67, 9);
     const Image<XYZ> mapped = map(scene);
     for (const float factor : {1e-12f, 1e-30f, 1e12f, 1e30f}) {
         Image<XYZ> other = scene;
         for (XYZ& pixel : other.pixels()) pixel = factor * pixel;
         const Image<XYZ> other_mapped = map(other);
+        bool same = true;
         for (std::size_t i = 0; i < mapped.pixels().size(); ++i) {
-            ASSERT_NEAR(other_mapped.pixels()[i].y, mapped.pixels()[i].y, 2e-6f * mapped.pixels()[i].y) << factor;
+            const float before = mapped.pixels()[i].y, after = other_mapped.pixels()[i].y;
+            same = same && std::abs(after - before) <= 2e-4f * before;
         }
+        EXPECT_EQ(same, cancels) << factor;
     }
 }
 
@@ -159,16 +166,36 @@ TEST_P(EveryToneMapper, BadPixelsBecomeDefinedAndLeaveTheOthers) {
     scene(6, 2) = {1.0f, -kInf, 1.0f};
     scene(7, 2) = {kInf, kInf, kInf};
     scene(8, 2) = {-kInf, 1.0f, 1.0f};
-    const ToneMapResult result = tone_map(GetParam(), scene.view(), kWhite, 1);
+    const ToneMapResult result = tone_map({GetParam()}, scene.view(), kWhite, 1);
     EXPECT_EQ(result.statistics.counts, (PixelCounts{64 * 64 - 6, 0, 2, 2, 2}));
     EXPECT_EQ(result.statistics.first_bad_px, std::make_pair(3, 2));
     for (int x = 3; x <= 6; ++x) EXPECT_EQ(result.image(x, 2), XYZ{}) << x;
     for (int x = 7; x <= 8; ++x) EXPECT_EQ(result.image(x, 2), kWhite) << x;
     for (int y = 3; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(result.image(x, y).y, clean_mapped(x, y).y, 2.0f / 255.0f) << x << ", " << y;
+            EXPECT_NEAR(shown(result.image(x, y)), shown(clean_mapped(x, y)), 2.0f / 255.0f) << x << ", " << y;
         }
     }
+}
+
+TEST_P(EveryToneMapper, OutlierDoesToTheOthersWhatItSays) {
+    const Image<XYZ> clean = random_scene(64, 64, 10);
+    const Image<XYZ> clean_mapped = map(clean);
+    Image<XYZ> scene = clean;
+    scene(20, 30) = grey(1e30f);
+    const Image<XYZ> mapped = map(scene);
+    bool stays = true, all_dark = true;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            // What is next to it is averaged with what was there before.
+            if (std::max(std::abs(x - 20), std::abs(y - 30)) <= 8) continue;
+            stays = stays && std::abs(shown(mapped(x, y)) - shown(clean_mapped(x, y))) <= 2.0f / 255.0f;
+            all_dark = all_dark && shown(mapped(x, y)) < 1e-6f;
+        }
+    }
+    const bool darkens = traits_of(GetParam()).outliers == OutlierEffect::darkens_all;
+    EXPECT_EQ(all_dark, darkens);
+    EXPECT_EQ(stays, !darkens);
 }
 
 TEST_P(EveryToneMapper, PictureOfBadPixelsOnlyIsDefined) {
@@ -201,16 +228,16 @@ TEST_P(EveryToneMapper, SameBitsForEveryNumberOfThreads) {
 TEST_P(EveryToneMapper, WorksInPlace) {
     Image<XYZ> scene = random_scene(33, 35, 13);
     const Image<XYZ> mapped = map(scene);
-    tone_map_into(GetParam(), std::as_const(scene).view(), scene.view(), kWhite, 2);
+    tone_map_into({GetParam()}, std::as_const(scene).view(), scene.view(), kWhite, 2);
     EXPECT_EQ(scene, mapped);
 }
 
 TEST_P(EveryToneMapper, RejectsWhatItCannotDo) {
     const Image<XYZ> scene(2, 2);
     Image<XYZ> smaller(2, 1);
-    EXPECT_THROW((void)tone_map(GetParam(), Image<XYZ>().view(), kWhite, 1), std::invalid_argument);
-    EXPECT_THROW((void)tone_map(GetParam(), scene.view(), kWhite, -1), std::invalid_argument);
-    EXPECT_THROW(tone_map_into(GetParam(), scene.view(), smaller.view(), kWhite, 1), std::invalid_argument);
+    EXPECT_THROW((void)tone_map({GetParam()}, Image<XYZ>().view(), kWhite, 1), std::invalid_argument);
+    EXPECT_THROW((void)tone_map({GetParam()}, scene.view(), kWhite, -1), std::invalid_argument);
+    EXPECT_THROW(tone_map_into({GetParam()}, scene.view(), smaller.view(), kWhite, 1), std::invalid_argument);
 }
 
 TEST_P(EveryToneMapper, TextReadsBackAsTheSameValue) {
@@ -231,7 +258,7 @@ TEST(MaxToWhite, BrightestPixelIsOneAndTheRestProportional) {
     scene(0, 0) = {10.0f, 50.0f, 20.0f};
     scene(1, 0) = grey(200.0f);
     scene(2, 0) = grey(kInf);
-    const ToneMapResult result = tone_map(MaxToWhite{}, scene.view(), kWhite, 1);
+    const ToneMapResult result = tone_map({MaxToWhite{}}, scene.view(), kWhite, 1);
     EXPECT_FLOAT_EQ(result.image(0, 0).y, 0.25f);
     EXPECT_FLOAT_EQ(result.image(0, 0).x, 0.05f);
     EXPECT_FLOAT_EQ(result.image(1, 0).y, 1.0f);
