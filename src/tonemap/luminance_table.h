@@ -21,11 +21,21 @@ class LuminanceTable {
     /// 0 <= min <= max < 2^128.
     LuminanceTable(const std::function<double(double)>& function, double min, double max);
 
-    /// Of any float; past the largest for what is negative or NaN.
+    static constexpr int kShift = 23 - 6;  ///< 6 bits of a float's significand tell its cell
+    static constexpr std::uint32_t kFractionBits = (std::uint32_t{1} << kShift) - 1;  ///< the others: where in the cell
+
+    /// f at any float: bits = those of x, held in [least_bits, most_bits], so that what is negative or NaN is past the
+    /// largest; i = 2 ((bits >> kShift) - first_cell); f = cells[i] + (bits & kFractionBits) * cells[i + 1].
+    struct View {
+        const float* cells = nullptr;
+        std::uint32_t first_cell = 0, least_bits = 0, most_bits = 0;
+    };
+    [[nodiscard]] View view() const noexcept { return {cells_.data(), first_cell_, least_bits_, most_bits_}; }
+
     [[nodiscard]] float operator()(float x) const noexcept {
         const std::uint32_t bits = std::clamp(std::bit_cast<std::uint32_t>(x), least_bits_, most_bits_);
-        const Cell& cell = cells_[(bits >> kShift) - first_cell_];
-        return cell.value + static_cast<float>(bits & kFractionBits) * cell.slope;
+        const std::size_t at = 2 * std::size_t{(bits >> kShift) - first_cell_};
+        return cells_[at] + static_cast<float>(bits & kFractionBits) * cells_[at + 1];
     }
 
     /// The least and the largest of the values at the knots.
@@ -33,14 +43,7 @@ class LuminanceTable {
     [[nodiscard]] double most_value() const noexcept { return most_value_; }
 
   private:
-    struct Cell {
-        float value = 0.0f;  ///< at its lower end
-        float slope = 0.0f;  ///< for each of the 2^kShift steps between floats
-    };
-    static constexpr std::uint32_t kShift = 23 - 6;  // 6 bits of the significand tell the cell
-    static constexpr std::uint32_t kFractionBits = (std::uint32_t{1} << kShift) - 1;
-
-    std::vector<Cell> cells_;
+    std::vector<float> cells_;  // of each: the value at its lower end, and the slope for each step between floats
     std::uint32_t first_cell_ = 0, least_bits_ = 0, most_bits_ = 0;
     double least_value_ = 0.0, most_value_ = 0.0;
 };

@@ -53,9 +53,10 @@ LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XY
     }
     const SceneLuminance luminance = scene_luminance(scene, threads);
     if (luminance.statistics.counts.positive == 0) {
-        const auto fast = [](std::size_t, float) noexcept { return 0.0f; };
-        scale_pixels(
-            scene, display, display_white, threads, [&](int) { return fast; }, [](std::size_t, int) { return kBlack; });
+        const auto scale_row_at = [](int, auto in, auto out, const ExactPixel& exact) {
+            scale_row(0.0f, in, out, exact);
+        };
+        scale_pixels(scene, display, display_white, threads, scale_row_at, [](std::size_t, int) { return kBlack; });
         return luminance.statistics;
     }
     const AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);

@@ -13,19 +13,21 @@ namespace {
 void reproduce_globally(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
                         double adaptation_cdm2, ImageView<const XYZ> scene, ImageView<XYZ> display,
                         const XYZ& display_white, int threads) {
-    const auto exact = [&](double luminance) { return reproduction.scale(luminance, adaptation_cdm2); };
-    const auto exact_at = [&](std::size_t, int) { return exact; };
+    const auto exact_scale = [&](double luminance) { return reproduction.scale(luminance, adaptation_cdm2); };
+    const auto exact_at = [&](std::size_t, int) { return exact_scale; };
     if (!reproduction.compression) {
         const float constant = narrow_or_nan(reproduction.exposure(adaptation_cdm2));
-        const auto fast = [=](std::size_t, float) noexcept { return constant; };
-        scale_pixels(
-            scene, display, display_white, threads, [&](int) { return fast; }, exact_at);
+        const auto scale_row_at = [=](int, auto in, auto out, const ExactPixel& exact) {
+            scale_row(constant, in, out, exact);
+        };
+        scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
-    const LuminanceTable table(exact, statistics.min_positive_cdm2, statistics.max_cdm2);
-    const auto fast = [&table](std::size_t, float luminance) noexcept { return table(luminance); };
-    scale_pixels(
-        scene, display, display_white, threads, [&](int) { return fast; }, exact_at);
+    const LuminanceTable table(exact_scale, statistics.min_positive_cdm2, statistics.max_cdm2);
+    const auto scale_row_at = [&](int, auto in, auto out, const ExactPixel& exact) {
+        scale_row(table, in, out, exact);
+    };
+    scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
 
 /// An adaptation for each pixel, held above the least positive luminance of the picture.
@@ -43,21 +45,18 @@ void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStat
     };
     const LuminanceTable exposures(exposure_of, least, most);
     if (!reproduction.compression) {
-        const auto row_scale = [&](int y) {
-            return [&exposures, row = local.row(y)](std::size_t x, float) noexcept { return exposures(row[x]); };
+        const auto scale_row_at = [&](int y, auto in, auto out, const ExactPixel& exact) {
+            scale_row(exposures, local.row(y), in, out, exact);
         };
-        scale_pixels(scene, display, display_white, threads, row_scale, exact_at);
+        scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
     const LuminanceTable compressions(reproduction.compression, exposures.least_value() * statistics.min_positive_cdm2,
                                       exposures.most_value() * statistics.max_cdm2);
-    const auto row_scale = [&](int y) {
-        return [&exposures, &compressions, row = local.row(y)](std::size_t x, float luminance) noexcept {
-            const float exposure = exposures(row[x]);
-            return exposure * compressions(exposure * luminance);
-        };
+    const auto scale_row_at = [&](int y, auto in, auto out, const ExactPixel& exact) {
+        scale_row(exposures, compressions, local.row(y), in, out, exact);
     };
-    scale_pixels(scene, display, display_white, threads, row_scale, exact_at);
+    scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
 
 }  // namespace
