@@ -8,7 +8,7 @@
 #include "core/named_value.h"
 #include "tonemap/adaptation_luminance.h"
 #include "tonemap/global_adaptation.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/scene_luminance.h"
 
 namespace emulsion {
 

@@ -43,7 +43,7 @@ double weighted_log_average(ImageView<const XYZ> scene, const SceneLuminance& lu
         row.sum += here * std::log(double{pixel.y});
         row.weight += here;
     });
-    return total.weight > 0.0 ? std::exp(total.sum / total.weight) : luminance.statistics.log_average_cdm2;
+    return total.weight > 0.0 ? std::exp(total.sum / total.weight) : luminance.statistics().log_average_cdm2;
 }
 
 double shorter_side(ImageView<const XYZ> scene) noexcept { return std::min(scene.width(), scene.height()); }
@@ -51,7 +51,7 @@ double shorter_side(ImageView<const XYZ> scene) noexcept { return std::min(scene
 }  // namespace
 
 double adaptation_cdm2(const LogAverageAdaptation&, ImageView<const XYZ>, const SceneLuminance& luminance, int) {
-    return luminance.statistics.log_average_cdm2;
+    return luminance.statistics().log_average_cdm2;
 }
 
 double adaptation_cdm2(const AverageAdaptation&, ImageView<const XYZ> scene, const SceneLuminance& luminance,
@@ -68,9 +68,7 @@ double adaptation_cdm2(const AverageAdaptation&, ImageView<const XYZ> scene, con
 }
 
 double adaptation_cdm2(const MedianAdaptation&, ImageView<const XYZ>, const SceneLuminance& luminance, int) {
-    const LuminanceStatistics& statistics = luminance.statistics;
-    const double median = luminance.histogram.value_of_rank(0.5 * static_cast<double>(statistics.counts.positive));
-    return std::clamp(median, statistics.min_positive_cdm2, statistics.max_cdm2);
+    return luminance.quantile_cdm2(0.5);
 }
 
 double adaptation_cdm2(const CentreWeightedAdaptation& adaptation, ImageView<const XYZ> scene,

@@ -8,7 +8,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "core/parameters.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/scene_luminance.h"
 
 namespace emulsion {
 

@@ -14,7 +14,7 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
         constexpr std::uint32_t kEnd = 255u << (23 - kShift);
         return cell == kEnd ? 0x1p128 : double{std::bit_cast<float>(cell << kShift)};
     };
-    cells_.reserve(2 * std::size_t{last_cell - first_cell_ + 1});
+    cells_.reserve(last_cell - first_cell_ + 1);
     double here = function(lower_end(first_cell_));
     least_value_ = most_value_ = function(lower_end(first_cell_ + 1));
     for (std::uint32_t cell = first_cell_; cell <= last_cell; ++cell) {
@@ -25,7 +25,7 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
         const auto is_held = [](double value) { return value == 0.0 || (value > 0x1p-90 && value < 0x1p126); };
         const bool held = cell >= kFirstNormal && is_held(here) && is_held(next);
         const double value = held ? here : std::numeric_limits<double>::quiet_NaN();
-        cells_.insert(cells_.end(), {static_cast<float>(value), static_cast<float>(slope)});
+        cells_.push_back({static_cast<float>(value), static_cast<float>(slope)});
         here = next;
         least_value_ = std::min(least_value_, next);
         most_value_ = std::max(most_value_, next);

@@ -24,18 +24,22 @@ class LuminanceTable {
     static constexpr int kShift = 23 - 6;  ///< 6 bits of a float's significand tell its cell
     static constexpr std::uint32_t kFractionBits = (std::uint32_t{1} << kShift) - 1;  ///< the others: where in the cell
 
+    struct Cell {
+        float value = 0.0f;  ///< at its lower end
+        float slope = 0.0f;  ///< for each step between floats
+    };
     /// f at any float: bits = those of x, held in [least_bits, most_bits], so that what is negative or NaN is past the
-    /// largest; i = 2 ((bits >> kShift) - first_cell); f = cells[i] + (bits & kFractionBits) * cells[i + 1].
+    /// largest; cell = cells[(bits >> kShift) - first_cell]; f = cell.value + (bits & kFractionBits) * cell.slope.
     struct View {
-        const float* cells = nullptr;
+        const Cell* cells = nullptr;
         std::uint32_t first_cell = 0, least_bits = 0, most_bits = 0;
     };
     [[nodiscard]] View view() const noexcept { return {cells_.data(), first_cell_, least_bits_, most_bits_}; }
 
     [[nodiscard]] float operator()(float x) const noexcept {
         const std::uint32_t bits = std::clamp(std::bit_cast<std::uint32_t>(x), least_bits_, most_bits_);
-        const std::size_t at = 2 * std::size_t{(bits >> kShift) - first_cell_};
-        return cells_[at] + static_cast<float>(bits & kFractionBits) * cells_[at + 1];
+        const Cell& cell = cells_[(bits >> kShift) - first_cell_];
+        return cell.value + static_cast<float>(bits & kFractionBits) * cell.slope;
     }
 
     /// The least and the largest of the values at the knots.
@@ -43,7 +47,7 @@ class LuminanceTable {
     [[nodiscard]] double most_value() const noexcept { return most_value_; }
 
   private:
-    std::vector<float> cells_;  // of each: the value at its lower end, and the slope for each step between floats
+    std::vector<Cell> cells_;
     std::uint32_t first_cell_ = 0, least_bits_ = 0, most_bits_ = 0;
     double least_value_ = 0.0, most_value_ = 0.0;
 };

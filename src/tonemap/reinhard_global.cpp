@@ -4,9 +4,9 @@
 
 namespace emulsion {
 
-double photographic_key(const SceneLuminance& luminance) noexcept {
+double photographic_key(const SceneLuminance& luminance) {
     constexpr double kMiddleGrey = 0.18;
-    const double average = std::log2(luminance.statistics.log_average_cdm2);
+    const double average = std::log2(luminance.statistics().log_average_cdm2);
     const double least = std::log2(luminance.robust_min_cdm2()), most = std::log2(luminance.robust_max_cdm2());
     if (!(most > least)) return kMiddleGrey;
     return kMiddleGrey * std::exp2(2.0 * (2.0 * average - least - most) / (most - least));
@@ -21,8 +21,9 @@ Adaptation own_adaptation(const ReinhardGlobal&) noexcept { return LogAverageAda
 
 ToneReproduction prepare(const ReinhardGlobal& mapper, const SceneLuminance& luminance, double adaptation_cdm2) {
     const double key = mapper.key > 0.0f ? double{mapper.key} : photographic_key(luminance);
-    const double most = key * luminance.robust_max_cdm2() / adaptation_cdm2;
-    const double white = mapper.white > 0.0f ? double{mapper.white} : most;
+    // The robust maximum costs a look at all pixels: only where it is wanted.
+    const auto most = [&] { return key * luminance.robust_max_cdm2() / adaptation_cdm2; };
+    const double white = mapper.white > 0.0f ? double{mapper.white} : most();
     // Ld / L without dividing by L, which may be 0.
     return {.exposure = [=](double adaptation) { return key / adaptation; },
             .compression = [=](double scaled) { return (1.0 + scaled / white / white) / (1.0 + scaled); }};

@@ -38,7 +38,7 @@ struct ReinhardGlobal {
 /// 0.18 * 4^((2 log2 Lav - log2 Lmin - log2 Lmax) / (log2 Lmax - log2 Lmin)), the robust ends taken; 0.18 if they are
 /// the same. Source: Reinhard, "Parameter Estimation for Photographic Tone Reproduction", J. of Graphics Tools 7(1),
 /// 2003, eq. 4.
-[[nodiscard]] double photographic_key(const SceneLuminance& luminance) noexcept;
+[[nodiscard]] double photographic_key(const SceneLuminance& luminance);
 
 /// Ld for a scaled luminance L in [0, 1e100] and a white > 0; the curve alone.
 [[nodiscard]] double photographic_curve(double scaled_luminance, double white) noexcept;

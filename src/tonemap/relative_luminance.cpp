@@ -39,11 +39,11 @@ double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, 
 
 }  // namespace
 
-double least_outlier_cdm2(const SceneLuminance& luminance) noexcept { return 1000.0 * luminance.robust_max_cdm2(); }
+double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
 
 template <class T>
 Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads) {
-    const double unit = luminance.statistics.log_average_cdm2, least_outlier = least_outlier_cdm2(luminance);
+    const double unit = luminance.statistics().log_average_cdm2, least_outlier = least_outlier_cdm2(luminance);
     const auto relative = [&](double cdm2) { return static_cast<T>(std::min(cdm2 / unit, kLargest)); };
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {

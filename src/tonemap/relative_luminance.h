@@ -4,12 +4,12 @@
 
 #include "core/color.h"
 #include "core/image.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/scene_luminance.h"
 
 namespace emulsion {
 
 /// Luminances past this, in cd/m^2, are outliers: 1000 times SceneLuminance::robust_max_cdm2().
-[[nodiscard]] double least_outlier_cdm2(const SceneLuminance& luminance) noexcept;
+[[nodiscard]] double least_outlier_cdm2(const SceneLuminance& luminance);
 
 /// Y / log_average(Y) of every pixel, one or more of which is positive; >= 0 and below 2^120. Bad pixels and outliers
 /// have the median of the good pixels in the smallest square about them, of up to 9 x 9, that has any, or else 1.

@@ -10,7 +10,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "core/row_blocks.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/pixel_class.h"
 #include "tonemap/scale_rows.h"
 
 namespace emulsion {

@@ -18,30 +18,44 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::ScalableTag<float>;
 using Vector = hn::Vec<Floats>;
 
-/// LuminanceTable::operator() for a vector.
-Vector look_up(const LuminanceTable::View& table, Vector x) noexcept {
+/// Rows are worked off in blocks: what one step leaves behind is still in the cache for the next.
+constexpr std::size_t kBlock = 256;
+using Block = std::array<float, kBlock + hn::MaxLanes(Floats())>;
+
+/// results[i] = table(keys[i]) for i < count; LuminanceTable::View says how.
+void look_up(const LuminanceTable::View& table, const float* keys, std::size_t count, float* results) {
     const hn::RebindToUnsigned<Floats> unsigned_tag;
     const hn::RebindToSigned<Floats> signed_tag;
     const Floats tag;
-    auto bits = hn::BitCast(unsigned_tag, x);
-    bits = hn::Min(hn::Max(bits, hn::Set(unsigned_tag, table.least_bits)), hn::Set(unsigned_tag, table.most_bits));
-    const auto cell = hn::Sub(hn::ShiftRight<LuminanceTable::kShift>(bits), hn::Set(unsigned_tag, table.first_cell));
-    const auto index = hn::BitCast(signed_tag, hn::ShiftLeft<1>(cell));
-    const auto fraction_bits = hn::And(bits, hn::Set(unsigned_tag, LuminanceTable::kFractionBits));
-    const auto fraction = hn::ConvertTo(tag, hn::BitCast(signed_tag, fraction_bits));
-    const auto value = hn::GatherIndex(tag, table.cells, index);
-    const auto slope = hn::GatherIndex(tag, table.cells + 1, index);
-    return hn::Add(value, hn::Mul(fraction, slope));
+    const std::size_t lanes = hn::Lanes(tag);
+    const auto bits_of = [&](std::size_t i) {
+        const auto bits = hn::BitCast(unsigned_tag, hn::LoadU(tag, keys + i));
+        return hn::Min(hn::Max(bits, hn::Set(unsigned_tag, table.least_bits)), hn::Set(unsigned_tag, table.most_bits));
+    };
+    std::array<std::uint32_t, kBlock + hn::MaxLanes(Floats())> cells;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const auto cell = hn::ShiftRight<LuminanceTable::kShift>(bits_of(i));
+        hn::StoreU(hn::Sub(cell, hn::Set(unsigned_tag, table.first_cell)), unsigned_tag, cells.data() + i);
+    }
+    std::array<LuminanceTable::Cell, kBlock + hn::MaxLanes(Floats())> found;
+    for (std::size_t i = 0; i < count; ++i) found[i] = table.cells[cells[i]];
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Vector value, slope;
+        hn::LoadInterleaved2(tag, &found[i].value, value, slope);
+        const auto fraction_bits = hn::And(bits_of(i), hn::Set(unsigned_tag, LuminanceTable::kFractionBits));
+        const auto fraction = hn::ConvertTo(tag, hn::BitCast(signed_tag, fraction_bits));
+        hn::StoreU(hn::Add(value, hn::Mul(fraction, slope)), tag, results + i);
+    }
 }
 
-/// out = scale_of(x, Y) * in, a vector of pixels from x on.
+/// out = scale_of(x) * in, a vector of pixels from x on, `count` of which belong to the row.
 template <class ScaleOf>
 void scale_vector(std::size_t x, const float* in, float* out, const ScaleOf& scale_of, std::size_t count,
                   const ExactPixel& exact) {
     const Floats tag;
     Vector px, py, pz;
     hn::LoadInterleaved3(tag, in, px, py, pz);
-    const auto scale = scale_of(x, py);
+    const auto scale = scale_of(x);
     const auto limit = hn::Set(tag, static_cast<float>(kMaxDisplayComponent));
     const auto within = [&](Vector v) { return hn::Le(hn::Abs(v), limit); };
     const auto sx = hn::Mul(scale, px), sy = hn::Mul(scale, py), sz = hn::Mul(scale, pz);
@@ -65,52 +79,89 @@ void scale_vector(std::size_t x, const float* in, float* out, const ScaleOf& sca
     }
 }
 
+/// Fewer pixels than a vector has lanes.
 template <class ScaleOf>
-void scale_row_by(const ScaleOf& scale_of, const float* in, float* out, std::size_t size, const ExactPixel& exact) {
-    const std::size_t lanes = hn::Lanes(Floats());
-    std::size_t x = 0;
-    for (; x + lanes <= size; x += lanes) scale_vector(x, in + 3 * x, out + 3 * x, scale_of, lanes, exact);
-    if (x == size) return;
+void scale_rest(std::size_t x, const float* in, float* out, std::size_t count, const ScaleOf& scale_of,
+                const ExactPixel& exact) {
     std::array<float, 3 * hn::MaxLanes(Floats())> rest{};
-    std::copy(in + 3 * x, in + 3 * size, rest.begin());
-    scale_vector(x, rest.data(), rest.data(), scale_of, size - x, exact);
-    std::copy(rest.data(), rest.data() + 3 * (size - x), out + 3 * x);
+    std::copy(in, in + 3 * count, rest.begin());
+    scale_vector(x, rest.data(), rest.data(), scale_of, count, exact);
+    std::copy(rest.data(), rest.data() + 3 * count, out);
+}
+
+/// `scale_of(x)` gives the scales of the pixels from x on, of which there are `end` in the row.
+template <class ScaleOf>
+void scale_pixels_between(std::size_t begin, std::size_t end, const float* in, float* out, const ScaleOf& scale_of,
+                          const ExactPixel& exact) {
+    const std::size_t lanes = hn::Lanes(Floats());
+    std::size_t x = begin;
+    for (; x + lanes <= end; x += lanes) scale_vector(x, in + 3 * x, out + 3 * x, scale_of, lanes, exact);
+    if (x < end) scale_rest(x, in + 3 * x, out + 3 * x, end - x, scale_of, exact);
+}
+
+/// Y of `count` pixels.
+void take_luminances(const float* in, std::size_t count, float* luminances) {
+    const Floats tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        Vector x, y, z;
+        hn::LoadInterleaved3(tag, in + 3 * i, x, y, z);
+        hn::StoreU(y, tag, luminances + i);
+    }
+    for (; i < count; ++i) luminances[i] = in[3 * i + 1];
+}
+
+/// Block by block: `find_scales(x, count, scales)` fills in those of `count` pixels from x on.
+template <class FindScales>
+void scale_blocks(const float* in, float* out, std::size_t size, const FindScales& find_scales,
+                  const ExactPixel& exact) {
+    Block scales{};
+    for (std::size_t begin = 0; begin < size; begin += kBlock) {
+        const std::size_t end = std::min(begin + kBlock, size);
+        find_scales(begin, end - begin, scales.data());
+        const auto scale_of = [&](std::size_t x) { return hn::LoadU(Floats(), scales.data() + (x - begin)); };
+        scale_pixels_between(begin, end, in, out, scale_of, exact);
+    }
 }
 
 void by_constant(float scale, const float* in, float* out, std::size_t size, const ExactPixel& exact) {
     const Vector scales = hn::Set(Floats(), scale);
-    scale_row_by([&](std::size_t, Vector) { return scales; }, in, out, size, exact);
+    scale_pixels_between(
+        0, size, in, out, [&](std::size_t) { return scales; }, exact);
 }
 
 void by_luminance(const LuminanceTable& table, const float* in, float* out, std::size_t size, const ExactPixel& exact) {
-    const LuminanceTable::View view = table.view();
-    scale_row_by([&](std::size_t, Vector luminance) { return look_up(view, luminance); }, in, out, size, exact);
-}
-
-/// adaptation[x ...], and beyond the row's end what is harmless.
-Vector load(std::span<const float> adaptation, std::size_t x) noexcept {
-    const Floats tag;
-    if (x + hn::Lanes(tag) <= adaptation.size()) return hn::LoadU(tag, adaptation.data() + x);
-    std::array<float, hn::MaxLanes(Floats())> rest{};
-    std::copy(adaptation.begin() + static_cast<std::ptrdiff_t>(x), adaptation.end(), rest.begin());
-    return hn::LoadU(tag, rest.data());
+    Block luminances{};
+    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
+        take_luminances(in + 3 * x, count, luminances.data());
+        look_up(table.view(), luminances.data(), count, scales);
+    };
+    scale_blocks(in, out, size, find_scales, exact);
 }
 
 void by_adaptation(const LuminanceTable& table, std::span<const float> adaptation, const float* in, float* out,
                    const ExactPixel& exact) {
-    const LuminanceTable::View view = table.view();
-    const auto scale_of = [&](std::size_t x, Vector) { return look_up(view, load(adaptation, x)); };
-    scale_row_by(scale_of, in, out, adaptation.size(), exact);
+    Block keys{};
+    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
+        std::copy_n(adaptation.data() + x, count, keys.data());
+        look_up(table.view(), keys.data(), count, scales);
+    };
+    scale_blocks(in, out, adaptation.size(), find_scales, exact);
 }
 
 void by_both(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
              const float* in, float* out, const ExactPixel& exact) {
-    const LuminanceTable::View exposure_view = exposures.view(), compression_view = compressions.view();
-    const auto scale_of = [&](std::size_t x, Vector luminance) {
-        const auto exposure = look_up(exposure_view, load(adaptation, x));
-        return hn::Mul(exposure, look_up(compression_view, hn::Mul(exposure, luminance)));
+    Block keys{}, found{};
+    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
+        std::copy_n(adaptation.data() + x, count, keys.data());
+        look_up(exposures.view(), keys.data(), count, found.data());
+        take_luminances(in + 3 * x, count, keys.data());
+        for (std::size_t i = 0; i < count; ++i) keys[i] *= found[i];
+        look_up(compressions.view(), keys.data(), count, scales);
+        for (std::size_t i = 0; i < count; ++i) scales[i] *= found[i];
     };
-    scale_row_by(scale_of, in, out, adaptation.size(), exact);
+    scale_blocks(in, out, adaptation.size(), find_scales, exact);
 }
 
 }  // namespace emulsion::HWY_NAMESPACE

@@ -51,18 +51,18 @@ LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XY
         throw std::invalid_argument("display size " + size_text(display.width(), display.height()) + ": must be " +
                                     size_text(scene.width(), scene.height()) + ", as the scene's");
     }
-    const SceneLuminance luminance = scene_luminance(scene, threads);
-    if (luminance.statistics.counts.positive == 0) {
+    const SceneLuminance luminance(scene, threads);
+    if (luminance.statistics().counts.positive == 0) {
         const auto scale_row_at = [](int, auto in, auto out, const ExactPixel& exact) {
             scale_row(0.0f, in, out, exact);
         };
         scale_pixels(scene, display, display_white, threads, scale_row_at, [](std::size_t, int) { return kBlack; });
-        return luminance.statistics;
+        return luminance.statistics();
     }
     const AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);
     const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
-    reproduce(reproduction, luminance.statistics, adaptation, scene, display, display_white, threads);
-    return luminance.statistics;
+    reproduce(reproduction, luminance.statistics(), adaptation, scene, display, display_white, threads);
+    return luminance.statistics();
 }
 
 ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white, int threads) {
@@ -74,11 +74,10 @@ ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, c
 
 Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZd& display_white) {
     check(mapping, scene);
-    SceneLuminance luminance = scene_luminance(scene, 1);
-    luminance.statistics = luminance_statistics_reference(scene);
+    const SceneLuminance luminance(scene, luminance_statistics_reference(scene), 1);
     Image<XYZd> display(scene.width(), scene.height());
-    const bool is_black = luminance.statistics.counts.positive == 0;
-    const double unit = luminance.statistics.log_average_cdm2, least = luminance.statistics.min_positive_cdm2;
+    const bool is_black = luminance.statistics().counts.positive == 0;
+    const double unit = luminance.statistics().log_average_cdm2, least = luminance.statistics().min_positive_cdm2;
     BasicAdaptationLuminance<double> adaptation;
     if (!is_black) adaptation = adapt_reference(chosen_adaptation(mapping), scene, luminance);
     ToneReproduction reproduction;

@@ -11,10 +11,10 @@
 #include "tonemap/adaptation.h"
 #include "tonemap/contrast.h"
 #include "tonemap/fixed_white.h"
-#include "tonemap/luminance_statistics.h"
 #include "tonemap/max_to_white.h"
 #include "tonemap/operator_traits.h"
 #include "tonemap/reinhard_global.h"
+#include "tonemap/scene_luminance.h"
 #include "tonemap/tone_reproduction.h"
 
 namespace emulsion {

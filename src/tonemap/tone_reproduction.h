@@ -8,7 +8,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "tonemap/adaptation_luminance.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/scene_luminance.h"
 
 namespace emulsion {
 
