@@ -36,14 +36,18 @@ GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline,
 
 DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
     validate(pipeline);
-    DevelopReport report;
     const XYZ white = narrow(white_xyz(pipeline.display));
-    ToneMapResult mapped = tone_map({pipeline.tone_mapper, pipeline.adaptation}, scene.view(), white, threads);
-    report.luminance = mapped.statistics;
+    const ToneMapResult mapped = tone_map({pipeline.tone_mapper, pipeline.adaptation}, scene.view(), white, threads);
+    DevelopResult result = develop_tone_mapped(mapped.image, pipeline, threads);
+    result.report.luminance = mapped.statistics;
+    return result;
+}
 
-    Image<RGB> encoded(scene.width(), scene.height());
-    report.gamut = encode_rows(mapped.image, pipeline, encoded, threads);
-    mapped.image = {};  // its memory is needed no more
+DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads) {
+    validate(pipeline);
+    Image<RGB> encoded(display_xyz.width(), display_xyz.height());
+    DevelopReport report;
+    report.gamut = encode_rows(display_xyz, pipeline, encoded, threads);
     return {quantize(pipeline.dither, encoded.view(), threads), report};
 }
 

@@ -28,4 +28,8 @@ struct DevelopResult {
 /// \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
 [[nodiscard]] DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
 
+/// The stages after tone mapping, for pictures that are tone-mapped already: display-relative XYZ, Y = 1 at display
+/// white. The report's luminance is left empty. \throws std::invalid_argument as develop().
+[[nodiscard]] DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads);
+
 }  // namespace emulsion

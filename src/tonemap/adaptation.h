@@ -16,6 +16,9 @@ namespace emulsion {
 using Adaptation =
     std::variant<LogAverageAdaptation, AverageAdaptation, MedianAdaptation, CentreWeightedAdaptation, SpotAdaptation>;
 
+/// Whether each pixel has an adaptation of its own.
+[[nodiscard]] bool is_local(const Adaptation& adaptation) noexcept;
+
 /// Of a picture that has positive pixels. The same bits for every number of threads (0: all).
 /// \throws std::invalid_argument if threads < 0.
 [[nodiscard]] AdaptationLuminance adapt(const Adaptation& adaptation, ImageView<const XYZ> scene,

@@ -1,6 +1,7 @@
 #include "tonemap/tone_mapper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -70,6 +71,27 @@ ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, c
     ToneMapResult result{Image<XYZ>(scene.width(), scene.height()), {}};
     result.statistics = tone_map_into(mapping, scene, result.image.view(), display_white, threads);
     return result;
+}
+
+std::vector<CurvePoint> tone_curve(const ToneMapping& mapping, ImageView<const XYZ> scene, int threads) {
+    check(mapping, scene);
+    const SceneLuminance luminance(scene, threads);
+    if (luminance.statistics().counts.positive == 0) return {};
+    const Adaptation adaptation = chosen_adaptation(mapping);
+    const bool local = is_local(adaptation);
+    const double picture_cdm2 =
+        local ? luminance.statistics().log_average_cdm2 : adapt(adaptation, scene, luminance, threads).uniform_cdm2;
+    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, picture_cdm2);
+
+    const double least = luminance.statistics().min_positive_cdm2,
+                 octaves = std::log2(luminance.statistics().max_cdm2 / least);
+    const int steps = static_cast<int>(std::ceil(16.0 * octaves));
+    std::vector<CurvePoint> curve;
+    for (int i = 0; i <= steps; ++i) {
+        const double cdm2 = steps == 0 ? least : least * std::exp2(octaves * i / steps);
+        curve.push_back({cdm2, cdm2 * reproduction.scale(cdm2, local ? cdm2 : picture_cdm2)});
+    }
+    return curve;
 }
 
 Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZd& display_white) {

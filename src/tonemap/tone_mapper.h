@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "core/color.h"
 #include "core/image.h"
@@ -56,6 +57,16 @@ struct ToneMapResult {
 /// \throws std::invalid_argument as above, or if the sizes differ.
 LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XYZ> scene, ImageView<XYZ> display,
                                   const XYZ& display_white, int threads);
+
+struct CurvePoint {
+    double luminance_cdm2 = 0.0;
+    double display_luminance = 0.0;  ///< relative: 1 is display white
+};
+
+/// What the operator makes of the picture's luminances, from the least positive one to the largest in steps of a
+/// sixteenth of an octave; where each pixel has an adaptation of its own, of large areas of that luminance. Empty if no
+/// pixel is positive. \throws std::invalid_argument as above.
+[[nodiscard]] std::vector<CurvePoint> tone_curve(const ToneMapping& mapping, ImageView<const XYZ> scene, int threads);
 
 /// The double-precision twin, on one thread: the operator's functions for each pixel, and local adaptations as their
 /// sources have them. Of operators under one adaptation for the picture, tone_map() is within 2e-4 of it, relative in
