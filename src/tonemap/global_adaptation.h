@@ -12,7 +12,8 @@
 
 namespace emulsion {
 
-/// The mean of ln Y: as LuminanceStatistics::log_average_cdm2.
+/// The mean of ln Y: LuminanceStatistics::log_average_cdm2, but without outliers (least_outlier_cdm2()), each of which
+/// is taken out at the middle of its bin. Of a picture without outliers it is the same to the bit.
 struct LogAverageAdaptation {
     static constexpr std::string_view kName = "log-average";
     static constexpr std::string_view kHelp = "the geometric mean of the positive luminances";

@@ -140,16 +140,18 @@ int parts_of(ImageView<const XYZ> scene) noexcept {
 
 }  // namespace
 
+// Of the values themselves the rank is a half more than how many are less: a whole one may lie in the gap between an
+// outlier and the others.
 double SceneLuminance::robust_min_cdm2() const noexcept {
     const double outside = outliers(statistics.counts);
     if (outside == 0.0) return statistics.min_positive_cdm2;
-    return std::clamp(histogram.value_of_rank(outside), statistics.min_positive_cdm2, statistics.max_cdm2);
+    return std::clamp(histogram.value_of_rank(outside + 0.5), statistics.min_positive_cdm2, statistics.max_cdm2);
 }
 
 double SceneLuminance::robust_max_cdm2() const noexcept {
     const double outside = outliers(statistics.counts);
     if (outside == 0.0) return statistics.max_cdm2;
-    const double rank = static_cast<double>(statistics.counts.positive) - outside;
+    const double rank = static_cast<double>(statistics.counts.positive) - outside - 0.5;
     return std::clamp(histogram.value_of_rank(rank), statistics.min_positive_cdm2, statistics.max_cdm2);
 }
 
