@@ -133,7 +133,7 @@ TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, adaptation, dither, display, gamut "
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, adaptation, display, gamut "
               "or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));

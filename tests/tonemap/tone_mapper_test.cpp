@@ -1,4 +1,5 @@
-// Properties that every operator has: each test runs for every alternative of the variant.
+// Properties that every operator has: each test runs for every alternative of the variant. More of them, of unusual
+// pictures and parameters: tone_mapper_extremes_test.cpp.
 
 #include "tonemap/tone_mapper.h"
 
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "every_tone_mapper.h"
 #include "test_pictures.h"
 
 namespace emulsion {
@@ -21,54 +23,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
-constexpr XYZ kWhite{0.95f, 1.0f, 1.09f};
-constexpr XYZd kWhiteD{0.95, 1.0, 1.09};
-
-/// Every operator with its defaults.
-std::vector<ToneMapper> all_mappers() {
-    std::vector<ToneMapper> mappers;
-    for_each_alternative<ToneMapper>([&](const auto& mapper) { mappers.emplace_back(mapper); });
-    return mappers;
-}
-
-class EveryToneMapper : public testing::TestWithParam<ToneMapper> {
-  protected:
-    [[nodiscard]] static Image<XYZ> map(const Image<XYZ>& scene, int threads = 1) {
-        return tone_map({GetParam()}, scene.view(), kWhite, threads).image;
-    }
-};
-
-bool is_sound(const XYZ& p) noexcept {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && p.y >= 0.0f;
-}
-
-/// What a display makes of it.
-float shown(const XYZ& pixel) noexcept { return std::min(pixel.y, 1.0f); }
-
-void expect_sound(const Image<XYZ>& image) {
-    EXPECT_TRUE(std::all_of(image.pixels().begin(), image.pixels().end(), is_sound));
-}
-
-/// |fast - exact| <= 2e-4 |exact| + 1e-37 in each component: the stated tolerance.
-void expect_close(const XYZ& fast, const XYZd& exact, const std::string& where) {
-    const auto close = [](float a, double b) { return std::abs(a - b) <= 2e-4 * std::abs(b) + 1e-37; };
-    EXPECT_TRUE(close(fast.x, exact.x) && close(fast.y, exact.y) && close(fast.z, exact.z))
-        << where << ": " << fast.x << " " << fast.y << " " << fast.z << ", exactly " << exact.x << " " << exact.y << " "
-        << exact.z;
-}
-
-void expect_twin(const ToneMapper& mapper, const Image<XYZ>& scene) {
-    const Image<XYZ> fast = tone_map({mapper}, scene.view(), kWhite, 0).image;
-    const Image<XYZd> exact = tone_map_reference({mapper}, scene.view(), kWhiteD);
-    expect_sound(fast);
-    for (int y = 0; y < scene.height(); ++y) {
-        for (int x = 0; x < scene.width(); ++x) {
-            expect_close(fast(x, y), exact(x, y),
-                         to_text(mapper) + " at " + std::to_string(x) + ", " + std::to_string(y));
-            if (testing::Test::HasFailure()) return;
-        }
-    }
-}
 
 TEST_P(EveryToneMapper, AgreesWithItsTwin) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 1009}, {1009, 1}, {2, 3}, {127, 131}}) {
@@ -143,17 +97,6 @@ TEST_P(EveryToneMapper, IsMonotone) {
     }
 }
 
-/// Largest difference of what a display shows, and largest relative difference, between two maps.
-std::pair<float, float> differences(const Image<XYZ>& a, const Image<XYZ>& b) {
-    float of_shown = 0.0f, relative = 0.0f;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-        const XYZ before = a.pixels()[i], after = b.pixels()[i];
-        of_shown = std::max(of_shown, std::abs(shown(after) - shown(before)));
-        if (before.y != after.y) relative = std::max(relative, std::abs(after.y - before.y) / before.y);
-    }
-    return {of_shown, relative};
-}
-
 TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
     const UnitOfLuminance unit = traits_of(GetParam()).unit;
     const Image<XYZ> scene = random_scene(61, 67, 9);
@@ -218,107 +161,6 @@ TEST_P(EveryToneMapper, OutlierDoesToTheOthersWhatItSays) {
     EXPECT_EQ(stays, !darkens);
 }
 
-// As a filtered or interpolated picture has them.
-TEST_P(EveryToneMapper, ThousandthOfNegativesLeavesTheOthers) {
-    const Image<XYZ> clean = random_scene(100, 100, 14);
-    const Image<XYZ> clean_mapped = map(clean);
-    Image<XYZ> scene = clean;
-    Pcg32 random(15);
-    for (int i = 0; i < 10; ++i)
-        scene.pixels()[random.next() % 10000] = {-0.1f, -0.1f * random.next_float() - 1e-6f, 0.2f};
-    const ToneMapResult result = tone_map({GetParam()}, scene.view(), kWhite, 1);
-    EXPECT_EQ(result.statistics.counts.negative, 10);
-    for (std::size_t i = 0; i < clean.pixels().size(); ++i) {
-        if (scene.pixels()[i].y < 0.0f) {
-            EXPECT_EQ(result.image.pixels()[i], XYZ{});
-        } else {
-            EXPECT_NEAR(shown(result.image.pixels()[i]), shown(clean_mapped.pixels()[i]), 2.0f / 255.0f) << i;
-        }
-    }
-}
-
-TEST_P(EveryToneMapper, RangeOf60DecadesIsDefined) {
-    Pcg32 random(16);
-    Image<XYZ> scene(97, 101);
-    for (XYZ& pixel : scene.pixels()) pixel = grey(std::pow(10.0f, 60.0f * random.next_float() - 30.0f));
-    scene(0, 0) = grey(1e-30f);
-    scene(96, 100) = grey(1e30f);
-    expect_twin(GetParam(), scene);
-    const Image<XYZ> mapped = map(scene);
-    EXPECT_GT(mapped(96, 100).y, 0.5f);
-}
-
-TEST_P(EveryToneMapper, DenormalsAreLuminancesToo) {
-    Pcg32 random(17);
-    Image<XYZ> scene(31, 29);
-    for (XYZ& pixel : scene.pixels()) pixel = grey(std::bit_cast<float>(1u + random.next() % 0x7fffffu));
-    expect_twin(GetParam(), scene);
-    for (XYZ& pixel : scene.pixels()) pixel = grey(std::numeric_limits<float>::denorm_min());
-    expect_twin(GetParam(), scene);
-    const Image<XYZ> mapped = map(scene);
-    EXPECT_EQ(mapped(0, 0), mapped(30, 28));
-    if (traits_of(GetParam()).unit != UnitOfLuminance::absolute) {
-        EXPECT_GT(mapped(0, 0).y, 0.02f);
-    }
-}
-
-/// (x, y) of the picture that is turned by a quarter is (y, width - 1 - x) of the original.
-Image<XYZ> turned(const Image<XYZ>& image) {
-    Image<XYZ> result(image.height(), image.width());
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) result(y, image.width() - 1 - x) = image(x, y);
-    }
-    return result;
-}
-
-Image<XYZ> mirrored(const Image<XYZ>& image) {
-    Image<XYZ> result(image.width(), image.height());
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) result(image.width() - 1 - x, y) = image(x, y);
-    }
-    return result;
-}
-
-TEST_P(EveryToneMapper, TurnsAndMirrorsWithThePicture) {
-    const Image<XYZ> scene = random_scene(83, 59, 18);
-    const Image<XYZ> mapped = map(scene);
-    // One adaptation differs by the order of its sum only; neighbourhoods by the order of their filters too.
-    const float tolerance = traits_of(GetParam()).monotone == Monotone::everywhere ? 1e-6f : 1.0f / 255.0f;
-    EXPECT_LE(differences(turned(mapped), map(turned(scene))).first, tolerance);
-    EXPECT_LE(differences(mirrored(mapped), map(mirrored(scene))).first, tolerance);
-}
-
-void draw(const ParameterRange& range, Pcg32& random, float& value) {
-    do value = std::bit_cast<float>(random.next());
-    while (!range.contains(value));
-}
-void draw(const ParameterRange& range, Pcg32& random, double& value) {
-    float drawn = 0.0f;
-    draw(range, random, drawn);
-    value = drawn;
-}
-void draw(const ParameterRange& range, Pcg32& random, int& value) {
-    const double most = std::min(range.max, range.min + 1000.0);
-    value = static_cast<int>(range.min + double{random.next_float()} * (most - range.min));
-}
-
-TEST_P(EveryToneMapper, IsSoundWithAnyParameters) {
-    Pcg32 random(19);
-    const Image<XYZ> scene = random_scene(16, 16, 20);
-    for (int i = 0; i < 300; ++i) {
-        ToneMapper mapper = GetParam();
-        std::visit(
-            [&]<class T>(T& chosen) {
-                for (const Parameter<T>& parameter : parameters_of<T>()) {
-                    std::visit([&](auto member) { draw(parameter.range, random, chosen.*member); }, parameter.member);
-                }
-            },
-            mapper);
-        const Image<XYZ> mapped = tone_map({mapper}, scene.view(), kWhite, 1).image;
-        ASSERT_TRUE(std::all_of(mapped.pixels().begin(), mapped.pixels().end(), is_sound)) << to_text(mapper);
-    }
-}
-
 TEST_P(EveryToneMapper, PictureOfBadPixelsOnlyIsDefined) {
     Image<XYZ> scene(3, 1);
     scene(0, 0) = grey(kNan);
@@ -365,12 +207,7 @@ TEST_P(EveryToneMapper, TextReadsBackAsTheSameValue) {
     EXPECT_EQ(parse_named<ToneMapper>(to_text(GetParam()), "tonemap"), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Variant, EveryToneMapper, testing::ValuesIn(all_mappers()), [](const auto& instance) {
-    std::string name = to_text(ToneMapper(instance.param));
-    name.resize(std::min(name.size(), name.find(':')));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Variant, EveryToneMapper, testing::ValuesIn(all_mappers()), mapper_name);
 
 TEST(ToneMapper, ReinhardGlobalIsTheDefault) { EXPECT_EQ(ToneMapper{}, ToneMapper{ReinhardGlobal{}}); }
 
