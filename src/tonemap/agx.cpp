@@ -37,14 +37,6 @@ class Branch {
 /// Ld / L.
 class Curve {
   public:
-    Curve() noexcept {
-        const double x = kTailStops / kStops;
-        const double value = kPivotValue - toe_.rise(kPivot - x);
-        tail_scaled_ = kMiddleGrey * std::exp2(kTailStops - kStopsBelow);
-        tail_shown_ = std::pow(value, kDisplayPower);
-        tail_power_ = kDisplayPower * toe_.slope(kPivot - x) / (value * kStops * std::numbers::ln2);
-    }
-
     [[nodiscard]] double operator()(double scaled) const noexcept {
         if (scaled < tail_scaled_) {
             return tail_shown_ / tail_scaled_ * std::pow(scaled / tail_scaled_, tail_power_ - 1.0);
@@ -55,8 +47,14 @@ class Curve {
     }
 
   private:
+    static constexpr double kTailBegins = kTailStops / kStops;  // in x
+
     Branch toe_{kPivot, kToePower}, shoulder_{1.0 - kPivot, kShoulderPower};
-    double tail_scaled_ = 0.0, tail_shown_ = 0.0, tail_power_ = 0.0;
+    double tail_scaled_ = kMiddleGrey * std::exp2(kTailStops - kStopsBelow);
+    double tail_value_ = kPivotValue - toe_.rise(kPivot - kTailBegins);
+    double tail_shown_ = std::pow(tail_value_, kDisplayPower);
+    /// d ln(Ld) / d ln(L).
+    double tail_power_ = kDisplayPower * toe_.slope(kPivot - kTailBegins) / (tail_value_ * kStops * std::numbers::ln2);
 };
 
 }  // namespace

@@ -55,8 +55,10 @@ std::vector<Bin> bins_of(const SceneLuminance& luminance) {
 
 /// Trims counts to the ceiling, which moves as they shrink. False if (nearly) nothing is left.
 bool trim(std::vector<Bin>& bins, double log_black, double log_range, const ContrastCeiling& ceiling) {
-    const double all = total_of(bins);
-    for (double total = all; total > kNothing * all; total = total_of(bins)) {
+    const double least = kNothing * total_of(bins);
+    for (;;) {
+        const double total = total_of(bins);
+        if (total <= least) return false;
         double below = 0.0, trimmed = 0.0;
         for (Bin& bin : bins) {
             const double displayed = std::exp(log_black + log_range * (below + 0.5 * bin.count) / total);
@@ -68,7 +70,6 @@ bool trim(std::vector<Bin>& bins, double log_black, double log_range, const Cont
         }
         if (trimmed <= kTolerance * (total - trimmed)) return true;
     }
-    return false;
 }
 
 }  // namespace

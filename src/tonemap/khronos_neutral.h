@@ -15,8 +15,7 @@ namespace emulsion {
 /// Ld = c for c < 0.76, else 1 - 0.24^2 / (c - 0.52). Value and slope are continuous at both joins. Limit 1.
 /// Source: Khronos Group, "PBR Neutral Tone Mapper" 2024. Departs from it in that the curve is of luminance: there the
 /// smallest of R, G, B decides about the first step and the largest about the second, and highlights are desaturated.
-/// For greys the two are the same. It is meant for scenes lit so that white is 1: key = 1 with a grey card as the
-/// adaptation would make that card white; the default makes it middle grey.
+/// For greys the two are the same. It is meant for scenes lit so that white is 1, and makes dark ones darker.
 struct KhronosNeutral {
     static constexpr std::string_view kName = "khronos-neutral";
     static constexpr std::string_view kHelp = "keeps what is below white, rolls off highlights; on luminance";

@@ -1,6 +1,6 @@
 #pragma once
-// The zone system. Zones are one stop apart: 0 is black, V middle grey, 0.18 of white, X pure white of the scene.
-// Scaled luminance L is relative to display white, before compression.
+// The zone system. The eleven zones 0 to X are one stop apart; V is middle grey, 0.18 of display white, so that VII is
+// 0.72 of it. Scaled luminance L is relative to display white, before compression.
 
 #include <array>
 #include <string_view>
