@@ -42,7 +42,7 @@ class BrightnessCurve {
 };
 
 /// ln Ld = ln black + (ln peak - ln black) P(ln Y), black = peak / contrast, P being the cumulative distribution of ln
-/// Y over the robust range (eq. 4), in bins of an eighth of an octave. Counts above the ceiling are trimmed until a
+/// Y over the robust range, in bins of an eighth of an octave. Counts above the ceiling are trimmed until a
 /// pass trims no more than 0.5 % of what it leaves, so that no slope is above the ceiling by more than that. None if
 /// (nearly) nothing is left: under that ceiling the picture needs less than the display's range. It has positive
 /// pixels. Departs from the paper in its samples, which are averages of 1 degree of the visual field (pictures here do
