@@ -18,7 +18,7 @@ namespace emulsion {
 ///     dither=floyd-steinberg
 struct Pipeline {
     ToneMapper tone_mapper = ReinhardGlobal{};   ///< "tonemap"
-    std::optional<Adaptation> adaptation = std::nullopt;        ///< "adaptation" luminance; none, "own": what the operator would take
+    std::optional<Adaptation> adaptation = {};   ///< "adaptation" luminance; none, "own": what the operator would take
     Display display = SrgbDisplay{};             ///< "display"
     GamutMapper gamut = GamutClip{};             ///< "gamut"
     TransferFunction transfer = SrgbTransfer{};  ///< "transfer"

@@ -51,7 +51,19 @@ double shorter_side(ImageView<const XYZ> scene) noexcept { return std::min(scene
 }  // namespace
 
 double adaptation_cdm2(const LogAverageAdaptation&, ImageView<const XYZ>, const SceneLuminance& luminance, int) {
-    return luminance.statistics().log_average_cdm2;
+    const LuminanceStatistics& statistics = luminance.statistics();
+    const double average = statistics.log_average_cdm2,
+                 least_influence = 1e-3 * static_cast<double>(statistics.counts.positive);
+    if (std::log(statistics.max_cdm2 / average) < least_influence) return average;
+    const double least_outlier = least_outlier_cdm2(luminance);
+    double outliers = 0.0, log_sum = 0.0;  // of ln(Y / average)
+    for (int bin = LuminanceHistogram::kBins - 1; LuminanceHistogram::lower_end(bin) >= least_outlier; --bin) {
+        const auto count = static_cast<double>(luminance.histogram().count(bin));
+        const double ends = LuminanceHistogram::lower_end(bin) + LuminanceHistogram::lower_end(bin + 1);
+        outliers += count;
+        log_sum += count * std::log(0.5 * ends / average);
+    }
+    return average * std::exp(-log_sum / (static_cast<double>(statistics.counts.positive) - outliers));
 }
 
 double adaptation_cdm2(const AverageAdaptation&, ImageView<const XYZ> scene, const SceneLuminance& luminance,

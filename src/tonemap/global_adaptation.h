@@ -12,7 +12,8 @@
 
 namespace emulsion {
 
-/// The mean of ln Y: as LuminanceStatistics::log_average_cdm2.
+/// The mean of ln Y: LuminanceStatistics::log_average_cdm2. Of small pictures, which one pixel could move by 0.1 % or
+/// more, without outliers (least_outlier_cdm2()), each of which is taken out at the middle of its bin.
 struct LogAverageAdaptation {
     static constexpr std::string_view kName = "log-average";
     static constexpr std::string_view kHelp = "the geometric mean of the positive luminances";

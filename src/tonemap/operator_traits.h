@@ -5,8 +5,10 @@ namespace emulsion {
 
 /// What happens to a picture that is given in another unit of luminance.
 enum class UnitOfLuminance {
-    cancels,   ///< the same picture comes out
-    absolute,  ///< the operator is about luminances in cd/m^2: another picture comes out
+    cancels,         ///< the same picture comes out
+    nearly_cancels,  ///< the same if the units differ by a power of 2, or else within 2/255: LuminanceHistogram has
+                     ///< bins
+    absolute,        ///< the operator is about luminances in cd/m^2: another picture comes out
 };
 
 /// What a pixel of 1e30 cd/m^2 does to the other pixels.

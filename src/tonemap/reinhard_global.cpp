@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "tonemap/middle_grey.h"
+
 namespace emulsion {
 
 double photographic_key(const SceneLuminance& luminance) {
-    constexpr double kMiddleGrey = 0.18;
     const double average = std::log2(luminance.statistics().log_average_cdm2);
     const double least = std::log2(luminance.robust_min_cdm2()), most = std::log2(luminance.robust_max_cdm2());
     if (!(most > least)) return kMiddleGrey;

@@ -9,19 +9,31 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "core/named_value.h"
+#include "tonemap/aces_fit.h"
 #include "tonemap/adaptation.h"
+#include "tonemap/agx.h"
 #include "tonemap/contrast.h"
+#include "tonemap/drago.h"
+#include "tonemap/exposure.h"
 #include "tonemap/fixed_white.h"
+#include "tonemap/hable.h"
+#include "tonemap/histogram.h"
+#include "tonemap/histogram_human.h"
+#include "tonemap/khronos_neutral.h"
 #include "tonemap/max_to_white.h"
 #include "tonemap/operator_traits.h"
 #include "tonemap/reinhard_global.h"
 #include "tonemap/scene_luminance.h"
 #include "tonemap/tone_reproduction.h"
+#include "tonemap/tumblin_rushmeier.h"
+#include "tonemap/zone.h"
 
 namespace emulsion {
 
 /// All operators; the first is the default. core/named_value.h prints, parses and lists them.
-using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, ContrastScale>;
+using ToneMapper =
+    std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, Exposure, ContrastScale, ZoneSystem, HistogramAdjustment,
+                 HistogramHuman, TumblinRushmeier, Drago, HableFilmic, AcesFit, AgX, KhronosNeutral>;
 
 /// What the operator itself says: see operator_traits.h, own_adaptation() and prepare() of each.
 [[nodiscard]] OperatorTraits traits_of(const ToneMapper& mapper) noexcept;

@@ -142,8 +142,10 @@ TEST(Develop, BadPixelsAreDefinedAndReported) {
     });
 }
 
+// Of operators for which the unit cancels.
 TEST(Develop, PictureDoesNotDependOnTheUnit) {
     for_each_alternative<ToneMapper>([](const auto& tone_mapper) {
+        if (tone_mapper.kTraits.unit == UnitOfLuminance::absolute) return;
         const Pipeline pipeline{.tone_mapper = tone_mapper, .dither = NoDither{}};
         const Image<XYZ> scene = random_scene(64, 64, 81);
         Image<XYZ> other = scene;
@@ -178,7 +180,7 @@ TEST(Develop, AnySizeAndAllBlack) {
 
 TEST(Develop, RejectsWhatItCannotDo) {
     EXPECT_THROW((void)develop(Image<XYZ>(), {}, 1), std::invalid_argument);
-    EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.tone_mapper = ReinhardGlobal{0.0f}}, 1), std::invalid_argument);
+    EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.tone_mapper = ReinhardGlobal{-1.0f}}, 1), std::invalid_argument);
     EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.bits = 9}, 1), std::invalid_argument);
     EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {}, -1), std::invalid_argument);
 }

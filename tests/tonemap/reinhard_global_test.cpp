@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "prepared_operator.h"
 #include "test_pictures.h"
 #include "tonemap/tone_mapper.h"
 
@@ -68,6 +69,32 @@ TEST(ReinhardGlobal, PictureHasThePapersValues) {
     EXPECT_NEAR(mapped(0, 0).z, 0.25f * dark, 1e-4f * dark);
     EXPECT_NEAR(mapped(1, 0).y, 1.0f, 1e-4f);
     EXPECT_NEAR(mapped(1, 0).x, 2.0f, 2e-4f);
+}
+
+// Eq. 4 of 2003 by hand: log2 of least, average and most are 0, 3 and 8 of 1, 2^1, 2^8: 0.18 * 4^((6 - 8)/8).
+TEST(ReinhardGlobal, KeyIsEstimatedFromTheRange) {
+    const auto key = [](const Image<XYZ>& scene) { return photographic_key(SceneLuminance(scene.view(), 1)); };
+    EXPECT_NEAR(key(row_of_greys({1.0f, 2.0f, 256.0f})), 0.18 * std::pow(4.0, -0.25), 1e-14);
+    EXPECT_NEAR(key(row_of_greys({1.0f, 16.0f, 256.0f})), 0.18, 1e-14);
+    EXPECT_NEAR(key(row_of_greys({1.0f, 256.0f, 256.0f, 256.0f})), 0.18 * 2.0, 1e-14);
+    EXPECT_EQ(key(row_of_greys({7.0f, 7.0f})), 0.18);
+}
+
+// Log-average 10: with a key of 0.18, 1000 is scaled to 18, which an automatic white takes.
+TEST(ReinhardGlobal, AutomaticWhiteIsTheLargestLuminance) {
+    const PreparedOperator displayed(ReinhardGlobal{0.18f, 0.0f}, row_of_greys({0.1f, 1000.0f}), 10.0);
+    EXPECT_NEAR(displayed(1000.0), 1.0, 1e-14);
+    EXPECT_NEAR(displayed(10.0), 0.18 * (1.0 + 0.18 / 324.0) / 1.18, 1e-8);
+    const PreparedOperator automatic(ReinhardGlobal{0.0f, 0.0f}, row_of_greys({1.0f, 2.0f, 256.0f}), 8.0);
+    const double key = 0.18 * std::pow(4.0, -0.25);
+    EXPECT_NEAR(automatic(256.0), 1.0, 1e-14);
+    EXPECT_NEAR(automatic(8.0), key * (1.0 + key / std::pow(32.0 * key, 2)) / (1.0 + key), 1e-12);
+}
+
+TEST(ReinhardGlobal, AutomaticParametersAreWords) {
+    EXPECT_EQ(to_text(ReinhardGlobal{0.0f, 0.0f}), "reinhard-global:key=auto,white=auto");
+    EXPECT_EQ(parse_named<ToneMapper>("reinhard-global:key=auto,white=Auto", "tonemap"),
+              ToneMapper(ReinhardGlobal{0.0f, 0.0f}));
 }
 
 TEST(ReinhardGlobal, RejectsParametersOutOfRange) {

@@ -2,6 +2,8 @@
 // Pictures for the tests of tone mapping.
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "core/color.h"
 #include "core/image.h"
@@ -12,6 +14,22 @@ namespace emulsion {
 /// A pixel of equal-energy chromaticity.
 [[nodiscard]] inline XYZ grey(float luminance_cdm2) noexcept {
     return {luminance_cdm2, luminance_cdm2, luminance_cdm2};
+}
+
+/// One row of greys.
+[[nodiscard]] inline Image<XYZ> row_of_greys(const std::vector<float>& luminances_cdm2) {
+    Image<XYZ> scene(static_cast<int>(luminances_cdm2.size()), 1);
+    for (std::size_t x = 0; x < luminances_cdm2.size(); ++x) scene.pixels()[x] = grey(luminances_cdm2[x]);
+    return scene;
+}
+
+/// One row of greys in equal ratios from least to most.
+[[nodiscard]] inline Image<XYZ> ramp_of_greys(double least_cdm2, double most_cdm2, int count) {
+    Image<XYZ> scene(count, 1);
+    for (int x = 0; x < count; ++x) {
+        scene(x, 0) = grey(static_cast<float>(least_cdm2 * std::pow(most_cdm2 / least_cdm2, x / (count - 1.0))));
+    }
+    return scene;
 }
 
 /// Colours whose luminances spread over six decades, 1e-3 to 1e3 cd/m^2; no bad pixels.
