@@ -1,5 +1,6 @@
 #include "tonemap/adaptation.h"
 
+#include "core/visit.h"
 #include "tonemap/relative_luminance.h"
 
 namespace emulsion {
@@ -12,6 +13,10 @@ concept GlobalAdaptation = requires(const T& adaptation, ImageView<const XYZ> sc
 };
 
 }  // namespace
+
+bool is_local(const Adaptation& adaptation) noexcept {
+    return visit_noexcept([]<class T>(const T&) { return !GlobalAdaptation<T>; }, adaptation);
+}
 
 AdaptationLuminance adapt(const Adaptation& adaptation, ImageView<const XYZ> scene, const SceneLuminance& luminance,
                           int threads) {

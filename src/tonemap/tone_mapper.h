@@ -10,17 +10,22 @@
 #include "core/named_value.h"
 #include "tonemap/adaptation.h"
 #include "tonemap/contrast.h"
+#include "tonemap/durand.h"
 #include "tonemap/fixed_white.h"
+#include "tonemap/high_contrast.h"
+#include "tonemap/local_adaptation.h"
 #include "tonemap/luminance_statistics.h"
 #include "tonemap/max_to_white.h"
 #include "tonemap/operator_traits.h"
 #include "tonemap/reinhard_global.h"
+#include "tonemap/reinhard_local.h"
 #include "tonemap/tone_reproduction.h"
 
 namespace emulsion {
 
 /// All operators; the first is the default. core/named_value.h prints, parses and lists them.
-using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, ContrastScale>;
+using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, ContrastScale, ReinhardLocal, HighContrast,
+                                Durand, LocalAdaptation>;
 
 /// What the operator itself says: see operator_traits.h, own_adaptation() and prepare() of each.
 [[nodiscard]] OperatorTraits traits_of(const ToneMapper& mapper) noexcept;

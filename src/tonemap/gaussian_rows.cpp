@@ -1,0 +1,83 @@
+#include "tonemap/gaussian_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tonemap/convolve.h"
+#include "tonemap/gaussian_kernel.h"
+#include "tonemap/mirrored_border.h"
+
+namespace emulsion {
+
+namespace {
+
+/// What a fast blur leaves out: a bright light spreads as far as it is seen.
+constexpr double kTail = 1e-4;
+
+}  // namespace
+
+GaussianRows::GaussianRows(ImageView<const float> source, std::span<const double> sigma_px) : source_(source) {
+    const auto width = static_cast<std::size_t>(source.width());
+    for (const double sigma : sigma_px) {
+        const std::vector<double> kernel = gaussian_kernel(sigma, kTail);
+        Level level{{kernel.begin(), kernel.end()}, {}, std::vector<float>(width)};
+        level.columns.resize(width + 2 * static_cast<std::size_t>(level.radius()));
+        taps_.resize(std::max(taps_.size(), 2 * static_cast<std::size_t>(level.radius()) + 1));
+        levels_.push_back(std::move(level));
+    }
+}
+
+void GaussianRows::compute(int y) {
+    // In parts so narrow that the rows of the source stay in the nearest cache for all levels.
+    constexpr int kPart = 512;
+    for (int x0 = 0; x0 < source_.width(); x0 += kPart) {
+        for (Level& level : levels_) blur_columns(level, y, x0, std::min(source_.width(), x0 + kPart));
+    }
+    for (Level& level : levels_) blur_along(level);
+}
+
+void GaussianRows::blur_columns(Level& level, int y, int x0, int x1) {
+    const int radius = level.radius();
+    for (int j = -radius; j <= radius; ++j) {
+        taps_[static_cast<std::size_t>(radius + j)] = source_.row(mirrored(y + j, source_.height())).data() + x0;
+    }
+    const auto begin = static_cast<std::size_t>(radius + x0), count = static_cast<std::size_t>(x1 - x0);
+    convolve(level.kernel, std::span(taps_).first(static_cast<std::size_t>(2 * radius + 1)),
+             std::span(level.columns).subspan(begin, count));
+}
+
+void GaussianRows::blur_along(Level& level) {
+    const int radius = level.radius(), width = source_.width();
+    float* const first = level.columns.data() + radius;
+    for (int j = 1; j <= radius; ++j) {
+        first[-j] = first[mirrored(-j, width)];
+        first[width - 1 + j] = first[mirrored(width - 1 + j, width)];
+    }
+    for (int j = -radius; j <= radius; ++j) taps_[static_cast<std::size_t>(radius + j)] = first + j;
+    convolve(level.kernel, std::span(taps_).first(static_cast<std::size_t>(2 * radius + 1)), level.blurred);
+}
+
+Image<double> gaussian_blur_reference(const Image<double>& source, double sigma_px) {
+    const std::vector<double> kernel = gaussian_kernel(sigma_px, 1e-15);
+    const int radius = static_cast<int>(kernel.size()) - 1, width = source.width(), height = source.height();
+    const auto sum = [&](const auto& at) {
+        double total = 0.0;
+        for (int j = -radius; j <= radius; ++j) total += kernel[static_cast<std::size_t>(std::abs(j))] * at(j);
+        return total;
+    };
+    Image<double> columns(width, height), blurred(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            columns(x, y) = sum([&](int j) { return source(x, mirrored(y + j, height)); });
+        }
+    }
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            blurred(x, y) = sum([&](int j) { return columns(mirrored(x + j, width), y); });
+        }
+    }
+    return blurred;
+}
+
+}  // namespace emulsion
