@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "core/row_blocks.h"
 #include "tonemap/bilateral_grid.h"
@@ -15,12 +18,16 @@ namespace {
 
 /// The least positive luminance; 1 if there is none.
 template <class T>
-T least_positive(const Image<T>& luminance) noexcept {
-    T least = std::numeric_limits<T>::infinity();
-    for (const T value : luminance.pixels()) {
-        if (value > T(0)) least = std::min(least, value);
-    }
-    return std::isfinite(least) ? least : T(1);
+T least_positive(const Image<T>& luminance, int threads) {
+    constexpr T kNone = std::numeric_limits<T>::infinity();
+    std::vector<T> rows(static_cast<std::size_t>(luminance.height()), kNone);
+    parallel_for_rows(luminance.width(), luminance.height(), threads, [&](int y) {
+        T least = kNone;
+        for (const T value : luminance.row(y)) least = std::min(least, value > T(0) ? value : kNone);
+        rows[static_cast<std::size_t>(y)] = least;
+    });
+    const T least = *std::min_element(rows.begin(), rows.end());
+    return least < kNone ? least : T(1);
 }
 
 template <class T>
@@ -33,7 +40,7 @@ double sigma_px(const BilateralAdaptation& adaptation, const Image<T>& picture) 
 Image<float> local_luminance(const BilateralAdaptation& adaptation, const Image<float>& relative_luminance,
                              int threads) {
     const int width = relative_luminance.width(), height = relative_luminance.height();
-    const float least = least_positive(relative_luminance);
+    const float least = least_positive(relative_luminance, threads);
     Image<float> result(width, height);
     parallel_for_rows(width, height, threads, [&](int y) {
         const std::span<const float> in = relative_luminance.row(y);
@@ -51,7 +58,7 @@ Image<float> local_luminance(const BilateralAdaptation& adaptation, const Image<
 Image<double> local_luminance_reference(const BilateralAdaptation& adaptation,
                                         const Image<double>& relative_luminance) {
     const int width = relative_luminance.width(), height = relative_luminance.height();
-    const double least = least_positive(relative_luminance), sigma = sigma_px(adaptation, relative_luminance);
+    const double least = least_positive(relative_luminance, 1), sigma = sigma_px(adaptation, relative_luminance);
     const int radius = static_cast<int>(3.0 * sigma);
     Image<double> logarithms(width, height), result(width, height);
     for (std::size_t i = 0; i < result.pixels().size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -55,6 +56,22 @@ Axis make_axis(int pixels, double sigma_px) {
     return axis;
 }
 
+/// The least and the largest value.
+std::pair<float, float> range_of(ImageView<const float> values, int threads) {
+    std::vector<std::pair<float, float>> rows(static_cast<std::size_t>(values.height()));
+    parallel_for_rows(values.width(), values.height(), threads, [&](int y) {
+        float least = values(0, y), most = least;
+        for (const float value : values.row(y)) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+        rows[static_cast<std::size_t>(y)] = {least, most};
+    });
+    std::pair<float, float> range = rows.front();
+    for (const auto& [least, most] : rows) range = {std::min(range.first, least), std::max(range.second, most)};
+    return range;
+}
+
 /// What a node holds: a sum of weights, and one of weighted values, the values in steps of the grid.
 constexpr std::size_t kSums = 2;
 
@@ -64,9 +81,9 @@ class BilateralGrid {
         : across_(make_axis(values.width(), sigma_px)),
           down_(make_axis(values.height(), sigma_px)),
           step_(static_cast<float>(0.5 * sigma_value)) {
-        const auto [least, most] = std::minmax_element(values.pixels().begin(), values.pixels().end());
-        least_ = *least;
-        levels_ = static_cast<std::size_t>((*most - least_) / step_) + 2;
+        const auto [least, most] = range_of(values, threads);
+        least_ = least;
+        levels_ = static_cast<std::size_t>((most - least) / step_) + 2;
         // Four steps of variance, less twice the mean of f (1 - f) for f in [0, 1].
         level_kernel_ = sampled_gaussian(4.0 - 1.0 / 3.0, 8);
         spread(values, threads);

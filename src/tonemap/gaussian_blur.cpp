@@ -15,7 +15,8 @@ namespace emulsion {
 
 namespace {
 
-constexpr int kBand = 32;  // rows on one thread
+constexpr int kBand = 32;       // rows on one thread
+constexpr double kTail = 1e-4;  // bright lights spread as far as they are seen
 
 template <class Band>
 void for_each_band(int height, int threads, const Band& body) {
@@ -26,7 +27,7 @@ void for_each_band(int height, int threads, const Band& body) {
 Image<float> blur_directly(const Image<float>& source, double sigma_px, int threads) {
     Image<float> blurred(source.width(), source.height());
     for_each_band(source.height(), threads, [&](int begin, int end) {
-        GaussianRows rows(source.view(), std::array{sigma_px});
+        GaussianRows rows(source.view(), std::array{sigma_px}, kTail);
         for (int y = begin; y < end; ++y) {
             rows.compute(y);
             std::copy(rows.row(0).begin(), rows.row(0).end(), blurred.row(y).begin());

@@ -10,17 +10,11 @@
 
 namespace emulsion {
 
-namespace {
-
-/// What a fast blur leaves out: a bright light spreads as far as it is seen.
-constexpr double kTail = 1e-4;
-
-}  // namespace
-
-GaussianRows::GaussianRows(ImageView<const float> source, std::span<const double> sigma_px) : source_(source) {
+GaussianRows::GaussianRows(ImageView<const float> source, std::span<const double> sigma_px, double tail)
+    : source_(source) {
     const auto width = static_cast<std::size_t>(source.width());
     for (const double sigma : sigma_px) {
-        const std::vector<double> kernel = gaussian_kernel(sigma, kTail);
+        const std::vector<double> kernel = gaussian_kernel(sigma, tail);
         Level level{{kernel.begin(), kernel.end()}, {}, std::vector<float>(width)};
         level.columns.resize(width + 2 * static_cast<std::size_t>(level.radius()));
         taps_.resize(std::max(taps_.size(), 2 * static_cast<std::size_t>(level.radius()) + 1));

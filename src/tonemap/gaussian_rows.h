@@ -14,8 +14,9 @@ namespace emulsion {
 /// is computed from the source alone, so that its bits do not depend on which rows came before. One thread each.
 class GaussianRows {
   public:
-    /// \param sigma_px standard deviations in pixels, >= 0. `source` must outlive this.
-    GaussianRows(ImageView<const float> source, std::span<const double> sigma_px);
+    /// \param sigma_px standard deviations in pixels, >= 0 \param tail share of each Gaussian that is left out, in (0,
+    /// 1) `source` must outlive this.
+    GaussianRows(ImageView<const float> source, std::span<const double> sigma_px, double tail);
 
     /// Blurs row `y`.
     void compute(int y);

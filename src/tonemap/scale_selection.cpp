@@ -131,11 +131,12 @@ void select_in_row(const ScaleSelection& selection, const Octave& octave, const 
 
 Image<float> select_in_octave(const ScaleSelection& selection, const Octave& octave, ImageView<const float> picture,
                               const Image<float>& wider, int threads) {
-    constexpr int kBand = 32;  // rows on one thread
+    constexpr int kBand = 32;       // rows on one thread
+    constexpr double kTail = 1e-3;  // a smaller one brings no result closer to the twin's
     const int height = picture.height();
     Image<float> chosen(picture.width(), height);
     parallel_for(0, (height + kBand - 1) / kBand, threads, [&](int band) {
-        GaussianRows blurred(picture, octave.sigma_px);
+        GaussianRows blurred(picture, octave.sigma_px, kTail);
         std::vector<float> scratch(static_cast<std::size_t>(wider.width()) + 2);
         for (int y = band * kBand; y < std::min(height, (band + 1) * kBand); ++y) {
             const std::span<float> row = chosen.row(y);
