@@ -34,8 +34,9 @@ std::vector<float> sampled_gaussian(double variance, int radius) {
         weights.push_back(std::exp(-0.5 * i * i / variance));
         sum += i == 0 ? weights.back() : 2.0 * weights.back();
     }
-    std::vector<float> kernel;
-    for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
+    std::vector<float> kernel(weights.size());
+    std::transform(weights.begin(), weights.end(), kernel.begin(),
+                   [&](double weight) { return static_cast<float>(weight / sum); });
     return kernel;
 }
 
@@ -78,14 +79,7 @@ constexpr std::size_t kSums = 2;
 class BilateralGrid {
   public:
     BilateralGrid(ImageView<const float> values, double sigma_px, double sigma_value, int threads)
-        : across_(make_axis(values.width(), sigma_px)),
-          down_(make_axis(values.height(), sigma_px)),
-          step_(static_cast<float>(0.5 * sigma_value)) {
-        const auto [least, most] = range_of(values, threads);
-        least_ = least;
-        levels_ = static_cast<std::size_t>((most - least) / step_) + 2;
-        // Four steps of variance, less twice the mean of f (1 - f) for f in [0, 1].
-        level_kernel_ = sampled_gaussian(4.0 - 1.0 / 3.0, 8);
+        : BilateralGrid(values, range_of(values, threads), sigma_px, sigma_value) {
         spread(values, threads);
     }
 
@@ -98,6 +92,16 @@ class BilateralGrid {
     void read_row(int y, std::span<float> values) const noexcept;
 
   private:
+    /// Empty. The levels are blurred by two steps, less what spreading and reading blur: twice the mean of f (1 - f)
+    /// for f in [0, 1].
+    BilateralGrid(ImageView<const float> values, std::pair<float, float> range, double sigma_px, double sigma_value)
+        : across_(make_axis(values.width(), sigma_px)),
+          down_(make_axis(values.height(), sigma_px)),
+          least_(range.first),
+          step_(static_cast<float>(0.5 * sigma_value)),
+          levels_(static_cast<std::size_t>((range.second - range.first) / step_) + 2),
+          level_kernel_(sampled_gaussian(4.0 - 1.0 / 3.0, 8)) {}
+
     [[nodiscard]] std::size_t node_size() const noexcept { return kSums * levels_; }
     [[nodiscard]] std::size_t row_size() const noexcept {
         return node_size() * static_cast<std::size_t>(across_.nodes);
@@ -111,8 +115,8 @@ class BilateralGrid {
     void blur_row(int y, std::vector<float>& blurred) const;
 
     Axis across_, down_;
-    float least_ = 0.0f, step_ = 1.0f;
-    std::size_t levels_ = 2;
+    float least_, step_;  ///< the value of the first level, and from one to the next
+    std::size_t levels_;
     std::vector<float> level_kernel_;
     std::vector<float> sums_;
 };
@@ -209,7 +213,7 @@ void BilateralGrid::read_row(int y, std::span<float> values) const noexcept {
         const float up = value - static_cast<float>(level), across = across_.fraction[x];
         const std::size_t left = static_cast<std::size_t>(across_.before[x]) * node_size() + kSums * level;
         const std::size_t right = static_cast<std::size_t>(across_.after[x]) * node_size() + kSums * level;
-        std::array<float, 2 * kSums> sums;
+        std::array<float, 2 * kSums> sums{};
         for (std::size_t i = 0; i < sums.size(); ++i) {
             sums[i] = (1.0f - down) * ((1.0f - across) * before[left + i] + across * before[right + i]) +
                       down * ((1.0f - across) * after[left + i] + across * after[right + i]);

@@ -33,12 +33,10 @@ void GaussianRows::compute(int y) {
 
 void GaussianRows::blur_columns(Level& level, int y, int x0, int x1) {
     const int radius = level.radius();
-    for (int j = -radius; j <= radius; ++j) {
-        taps_[static_cast<std::size_t>(radius + j)] = source_.row(mirrored(y + j, source_.height())).data() + x0;
-    }
-    const auto begin = static_cast<std::size_t>(radius + x0), count = static_cast<std::size_t>(x1 - x0);
-    convolve(level.kernel, std::span(taps_).first(static_cast<std::size_t>(2 * radius + 1)),
-             std::span(level.columns).subspan(begin, count));
+    const float** const middle = taps_.data() + radius;
+    for (int j = -radius; j <= radius; ++j) middle[j] = source_.row(mirrored(y + j, source_.height())).data() + x0;
+    float* const first = level.columns.data() + radius;
+    convolve(level.kernel, level.taps(taps_), {first + x0, first + x1});
 }
 
 void GaussianRows::blur_along(Level& level) {
@@ -48,8 +46,9 @@ void GaussianRows::blur_along(Level& level) {
         first[-j] = first[mirrored(-j, width)];
         first[width - 1 + j] = first[mirrored(width - 1 + j, width)];
     }
-    for (int j = -radius; j <= radius; ++j) taps_[static_cast<std::size_t>(radius + j)] = first + j;
-    convolve(level.kernel, std::span(taps_).first(static_cast<std::size_t>(2 * radius + 1)), level.blurred);
+    const float** const middle = taps_.data() + radius;
+    for (int j = -radius; j <= radius; ++j) middle[j] = first + j;
+    convolve(level.kernel, level.taps(taps_), level.blurred);
 }
 
 Image<double> gaussian_blur_reference(const Image<double>& source, double sigma_px) {

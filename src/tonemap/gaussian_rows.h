@@ -30,6 +30,9 @@ class GaussianRows {
         std::vector<float> columns;  ///< blurred from row to row: `radius` pixels more at each end
         std::vector<float> blurred;  ///< and along the row
         [[nodiscard]] int radius() const noexcept { return static_cast<int>(kernel.size()) - 1; }
+        [[nodiscard]] std::span<const float* const> taps(std::span<const float* const> enough) const noexcept {
+            return enough.first(2 * kernel.size() - 1);
+        }
     };
 
     void blur_columns(Level& level, int y, int x0, int x1);

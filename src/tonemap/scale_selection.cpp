@@ -32,7 +32,7 @@ EMULSION_INLINE inline void accept(const T& centre, const T& surround, const T& 
 struct Octave {
     std::size_t first_scale = 0, end_scale = 0;
     std::vector<double> sigma_px;  ///< blurs, in its pixels: B of first_level() to end_scale
-    /// Whose B is taken if the first scale is not accepted.
+    /// Whose B is taken if the first scale is not accepted; of the very first, the first that there is.
     [[nodiscard]] std::size_t first_level() const noexcept { return first_scale == 0 ? 0 : first_scale - 1; }
 };
 
@@ -63,7 +63,7 @@ std::vector<Octave> octaves_of(const ScaleSelection& selection) {
     for (std::size_t scale = 0; scale < scales; size = size.half()) {
         Octave octave{scale, scale, {}};
         const auto fits_half = [&] {
-            const double narrowest = selection.sigma_px[octave.end_scale == 0 ? 0 : octave.end_scale - 1];
+            const double narrowest = octave.end_scale == 0 ? 0.0 : selection.sigma_px[octave.end_scale - 1];
             return size.half().remaining_variance(narrowest) >= kLeastVariance;
         };
         while (octave.end_scale < scales && !fits_half()) ++octave.end_scale;
@@ -115,14 +115,14 @@ void decide_row(std::span<const ScaleRows> scales, std::span<float> row) noexcep
 }
 
 /// One row of an octave. `row` has what comes of accepting all its scales, unless there are no wider ones.
-void select_in_row(const ScaleSelection& selection, const Octave& octave, const GaussianRows& blurred,
-                   std::span<float> row) {
+void select_in_row(const ScaleSelection& selection, const Octave& octave, std::span<const float> picture,
+                   const GaussianRows& blurred, std::span<float> row) {
     const auto level = [&](std::size_t number) { return blurred.row(number - octave.first_level()).data(); };
     const bool is_last = octave.end_scale == selection.floor.size();
     if (is_last) std::copy_n(level(octave.end_scale - 1), row.size(), row.begin());
     std::vector<ScaleRows> scales;
     for (std::size_t scale = octave.end_scale; scale-- > octave.first_scale;) {
-        scales.push_back({level(scale == 0 ? 0 : scale - 1), level(scale), level(scale + 1),
+        scales.push_back({scale == 0 ? picture.data() : level(scale - 1), level(scale), level(scale + 1),
                           static_cast<float>(selection.floor[scale] + kLeastFloor),
                           static_cast<float>(selection.limit)});
     }
@@ -142,7 +142,7 @@ Image<float> select_in_octave(const ScaleSelection& selection, const Octave& oct
             const std::span<float> row = chosen.row(y);
             if (wider.width() > 0) double_row(wider.view(), y, scratch, row);
             blurred.compute(y);
-            select_in_row(selection, octave, blurred, row);
+            select_in_row(selection, octave, picture.row(y), blurred, row);
         }
     });
     return chosen;
@@ -175,7 +175,7 @@ Image<double> select_scales_reference(const ScaleSelection& selection, const Ima
     Image<double> result(luminance.width(), luminance.height());
     for (int y = 0; y < luminance.height(); ++y) {
         for (int x = 0; x < luminance.width(); ++x) {
-            double chosen = blurred[0](x, y), share = 1.0, sum = 0.0;
+            double chosen = luminance(x, y), share = 1.0, sum = 0.0;
             for (std::size_t scale = 0; scale < scales; ++scale) {
                 double accepted = 0.0;
                 accept(blurred[scale](x, y), blurred[scale + 1](x, y), selection.floor[scale] + kLeastFloor,

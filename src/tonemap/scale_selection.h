@@ -9,7 +9,9 @@
 namespace emulsion {
 
 /// B_i: the picture blurred by sigma_px[i]. The contrast of scale i, of n, is (B_i - B_{i+1}) / (floor[i] + B_i). The
-/// result is B_i of the largest i for which |contrast| < limit there and at all smaller scales; B_0 if there is none.
+/// result is B_i of the largest i for which |contrast| < limit there and at all smaller scales; if there is none, the
+/// pixel's own luminance. (With B_0 then, as pixels beside a very bright one have a part of it, there would be dark
+/// rims.)
 ///
 /// Where |contrast| lies within half of the limit from it, what comes of accepting the scale and of stopping before it
 /// are blended, linearly. Sources have a step at the limit: the least change of any pixel, even of one far off, then

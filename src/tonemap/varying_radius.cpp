@@ -7,10 +7,10 @@ namespace emulsion {
 namespace {
 
 ScaleSelection selection_of(const VaryingRadiusAdaptation& adaptation) {
-    constexpr double kWidest = 32.0;
+    constexpr int kWidest = 32;
     ScaleSelection selection;
     selection.limit = adaptation.contrast;
-    for (double scale_px = 1.0; scale_px <= 2.0 * kWidest; scale_px *= 2.0) {
+    for (int scale_px = 1; scale_px <= 2 * kWidest; scale_px *= 2) {
         selection.sigma_px.push_back(0.25 * scale_px);
         if (scale_px <= kWidest) selection.floor.push_back(0.0);
     }

@@ -13,7 +13,8 @@ namespace emulsion {
 /// `contrast`; B_s is the luminance under a Gaussian of standard deviation s / 4, so that s is about its diameter.
 /// Source: Ashikhmin, "A Tone Mapping Algorithm for High Contrast Images", Eurographics Workshop on Rendering 2002,
 /// section 4.2; Pharr & Humphreys, "Physically Based Rendering", 1st ed. 2004, section 8.4. Departs from them in the
-/// steps of s, in where 0 / 0 is 0, and in that scales close to the limit are blended (see scale_selection.h).
+/// steps of s, in that 0 / 0 is 0, and in that scales close to the limit are blended (see scale_selection.h). Where
+/// even s = 1 reaches it, the pixel itself is taken, as by PBRT.
 struct VaryingRadiusAdaptation {
     static constexpr std::string_view kName = "varying-radius";
     static constexpr std::string_view kHelp = "the largest neighbourhood, up to 32 px, without much contrast";

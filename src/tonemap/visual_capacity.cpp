@@ -6,15 +6,15 @@ namespace emulsion {
 
 double visual_capacity(double luminance_cdm2) noexcept {
     // Thresholds, or thresholds over luminance, in each of the intervals; where they meet; capacities there.
-    static const double kDark = std::pow(10.0, -2.86), kDim = std::pow(10.0, -0.395), kBright = std::pow(10.0, -1.255);
-    static const double kFirst = std::pow(10.0, -2.465), kLast = std::pow(10.0, 0.86);
-    static const double kAtFirst = kFirst / kDark;
-    static const double kAtOne = kAtFirst - std::log(kFirst) / kDim;
-    static const double kAtLast = kAtOne + (kLast - 1.0) / kDim;
-    if (luminance_cdm2 < kFirst) return luminance_cdm2 / kDark;
-    if (luminance_cdm2 < 1.0) return kAtFirst + std::log(luminance_cdm2 / kFirst) / kDim;
-    if (luminance_cdm2 < kLast) return kAtOne + (luminance_cdm2 - 1.0) / kDim;
-    return kAtLast + std::log(luminance_cdm2 / kLast) / kBright;
+    static const double dark = std::pow(10.0, -2.86), dim = std::pow(10.0, -0.395), bright = std::pow(10.0, -1.255);
+    static const double first = std::pow(10.0, -2.465), last = std::pow(10.0, 0.86);
+    static const double at_first = first / dark;
+    static const double at_one = at_first - std::log(first) / dim;
+    static const double at_last = at_one + (last - 1.0) / dim;
+    if (luminance_cdm2 < first) return luminance_cdm2 / dark;
+    if (luminance_cdm2 < 1.0) return at_first + std::log(luminance_cdm2 / first) / dim;
+    if (luminance_cdm2 < last) return at_one + (luminance_cdm2 - 1.0) / dim;
+    return at_last + std::log(luminance_cdm2 / last) / bright;
 }
 
 double printed_visual_capacity(double luminance_cdm2) noexcept {

@@ -153,12 +153,18 @@ TEST(UniformRadius, IsAGaussianOfHalfTheRadius) {
               gaussian_blur_reference(picture, 5.0));
 }
 
-// One pixel among black, by hand: the Gaussian of sigma 0.25 leaves it erf(sqrt 2)^2, and the surround is not followed.
+// One pixel among black: no neighbourhood is like it.
 TEST(VaryingRadius, PixelAmongBlackKeepsToItself) {
     Image<double> picture(31, 31);
     picture(15, 15) = 1.0;
-    const double middle = std::pow(std::erf(std::sqrt(2.0)), 2.0);
-    EXPECT_NEAR(local_luminance_reference(VaryingRadiusAdaptation{0.2f}, picture)(15, 15), middle, 1e-9);
+    EXPECT_EQ(local_luminance_reference(VaryingRadiusAdaptation{0.2f}, picture)(15, 15), 1.0);
+}
+
+// A bright pixel does not darken the ones beside it: of the narrowest Gaussian they would have 23 cd/m^2.
+TEST(CentreSurround, NoRimAboutABrightPixel) {
+    Image<double> picture = constant(31, 31, 1.0);
+    picture(15, 15) = 1000.0;
+    EXPECT_DOUBLE_EQ(local_luminance_reference(CentreSurroundAdaptation{}, picture)(14, 15), 1.0);
 }
 
 // A scale is accepted below half of the limit, and isn't above one and a half of it; in between it is in part. Two
@@ -169,18 +175,17 @@ TEST(ScaleSelection, BlendsAboutTheLimit) {
     ScaleSelection selection{{0.3, 0.6, 1.2}, {0.0, 0.0}, 1.0};
     std::vector<double> level;
     for (const double sigma : selection.sigma_px) level.push_back(gaussian_blur_reference(picture, sigma)(20, 20));
-    const double contrast = (level[1] - level[2]) / level[1];
+    const double first = (level[0] - level[1]) / level[0], second = (level[1] - level[2]) / level[1];
     const auto chosen = [&](double limit) {
         selection.limit = limit;
         return select_scales_reference(selection, picture)(20, 20);
     };
-    const double contrast_before = (level[0] - level[1]) / level[0];
-    ASSERT_LT(contrast_before, contrast);
-    EXPECT_NEAR(chosen(2.01 * contrast), level[1], 1e-9);
-    EXPECT_NEAR(chosen(contrast_before / 1.51), level[0], 1e-9);
-    // The wider scale is accepted by a half, the narrower one by what lies below one and a half.
+    ASSERT_LT(first, second);
+    EXPECT_NEAR(chosen(2.01 * second), level[1], 1e-9);
+    EXPECT_NEAR(chosen(first / 1.51), 50.0, 1e-9);
+    // The second scale is accepted by a half, the first one by what lies below one and a half.
     const double half_way = 0.5 * (level[0] + level[1]);
-    EXPECT_NEAR(chosen(contrast), level[0] + (1.5 - contrast_before / contrast) * (half_way - level[0]), 1e-9);
+    EXPECT_NEAR(chosen(second), 50.0 + (1.5 - first / second) * (half_way - 50.0), 1e-9);
 }
 
 // The first scale that is not accepted ends it, even if wider ones would be.

@@ -142,6 +142,7 @@ TEST_P(EveryToneMapper, KeepsChromaticity) {
     const Image<XYZ> mapped = map(scene);
     for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
         const XYZ before = scene.pixels()[i], after = mapped.pixels()[i];
+        if (after == XYZ{}) continue;  // black has none
         EXPECT_NEAR(after.x / after.y, before.x / before.y, 1e-6f);
         EXPECT_NEAR(after.z / after.y, before.z / before.y, 1e-6f);
     }
