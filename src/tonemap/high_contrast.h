@@ -14,8 +14,9 @@ namespace emulsion {
 /// come out above 1.
 /// Source: Ashikhmin, "A Tone Mapping Algorithm for High Contrast Images", Eurographics Workshop on Rendering 2002, eq.
 /// 4 and 5; Pharr & Humphreys, "Physically Based Rendering", 1st ed. 2004, section 8.4. Departs from them in that Ymin
-/// and Ymax are the robust ones of SceneLuminance, T being kept within [0, 1], and in that T = 1/2 where both are the
-/// same, so that a constant picture is neither black nor white.
+/// and Ymax are the robust ones of SceneLuminance, T being kept within [0, 1], so that the darkest neighbourhoods
+/// come out black, as the least luminance does in the sources; and in that T = 1/2 where both are the same, so that a
+/// constant picture is neither black nor white.
 struct HighContrast {
     static constexpr std::string_view kName = "high-contrast";
     static constexpr std::string_view kHelp = "keeps visible differences visible everywhere; needs cd/m^2";
