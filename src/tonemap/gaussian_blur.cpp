@@ -51,9 +51,8 @@ Image<float> gaussian_blur(const Image<float>& source, double sigma_px, int thre
     // Making the picture smaller and larger again blurs, too; at least one squared pixel of variance is left to do.
     const double half_variance = 0.25 * sigma_px * sigma_px - kHalfSizeVariance - kDoubleSizeVariance;
     if (half_variance < 1.0) return blur_directly(source, sigma_px, threads);
-    const Image<float> half = half_size(source.view(), threads);
-    const Image<float> blurred = gaussian_blur(half, std::sqrt(half_variance), threads);
-    return double_size(blurred, source.width(), source.height(), threads);
+    const Image<float> half = gaussian_blur(half_size(source.view(), threads), std::sqrt(half_variance), threads);
+    return double_size(half, source.width(), source.height(), threads);
 }
 
 }  // namespace emulsion

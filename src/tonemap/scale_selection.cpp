@@ -162,6 +162,7 @@ Image<float> select_scales(const ScaleSelection& selection, const Image<float>& 
     Image<float> chosen;
     for (std::size_t octave = octaves.size(); octave-- > 0;) {
         chosen = select_in_octave(selection, octaves[octave], picture(octave), chosen, threads);
+        if (octave > 0) smaller.pop_back();
     }
     return chosen;
 }

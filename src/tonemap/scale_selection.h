@@ -23,8 +23,8 @@ struct ScaleSelection {
 };
 
 /// In single precision. Wide scales are looked at in pictures of half the size, of a quarter and so on, each where its
-/// averages are wide enough for that, and come back to the whole size by linear interpolation. Needs one picture of
-/// floats and two thirds of one more. The same bits for every number of threads (0: all).
+/// averages are wide enough for that, and come back to the whole size by linear interpolation. Beside the result it
+/// needs at most a third of its memory. The same bits for every number of threads (0: all).
 /// \throws std::invalid_argument if threads < 0.
 [[nodiscard]] Image<float> select_scales(const ScaleSelection& selection, const Image<float>& luminance, int threads);
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "tonemap/convolve.h"
 #include "tonemap/gaussian_blur.h"
 #include "tonemap/gaussian_kernel.h"
 #include "tonemap/gaussian_rows.h"
@@ -61,6 +62,23 @@ TEST(GaussianKernel, SumsToOneAndHasItsVariance) {
         EXPECT_NEAR(sum, 1.0, 1e-14) << sigma;
         if (sigma < 0.5) continue;
         EXPECT_NEAR(variance / (sigma * sigma + 1.0 / 12.0), 1.0, sigma < 1.0 ? 0.05 : 1e-6) << sigma;
+    }
+}
+
+// Blocks of many sums at a time, in wide registers, and what is left over, each sum alone.
+TEST(Convolve, GivesTheBitsOfOneSumAtATime) {
+    const Image<float> rows = noise<float>(100, 7, 6);
+    std::vector<const float*> taps;
+    for (int y = 0; y < 7; ++y) taps.push_back(rows.row(y).data());
+    const std::vector<float> kernel = {0.4f, 0.2f, 0.07f, 0.03f};
+    for (const std::size_t count : {1u, 31u, 32u, 33u, 100u}) {
+        std::vector<float> sums(count);
+        convolve(kernel, taps, sums);
+        for (std::size_t i = 0; i < count; ++i) {
+            float sum = kernel[0] * taps[3][i];
+            for (std::size_t j = 1; j <= 3; ++j) sum += kernel[j] * (taps[3 - j][i] + taps[3 + j][i]);
+            EXPECT_EQ(sums[i], sum) << i << " of " << count;
+        }
     }
 }
 
