@@ -1,5 +1,6 @@
-// Tone mapping of 1 megapixel beside a memory copy of the same picture, on one thread and on all. Each operator is
-// verified against its double-precision twin before it is timed; ratios are for one run on one machine.
+// Tone mapping of 1 megapixel beside a memory copy of the same picture, on one thread and on all: the operators that
+// adapt to the picture as a whole (local.cpp has the others). Each is verified against its double-precision twin before
+// it is timed; ratios are for one run on one machine.
 
 #include <cmath>
 #include <cstdint>
@@ -39,9 +40,16 @@ void count_pixels(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().pixels().size()));
 }
 
-/// The numbers of all operators in the variant.
-const std::vector<std::int64_t> kOperators =
-    benchmark::CreateDenseRange(0, std::int64_t{std::variant_size_v<ToneMapper>} - 1, 1);
+/// The numbers of these operators in the variant.
+const std::vector<std::int64_t> kOperators = [] {
+    std::vector<std::int64_t> numbers;
+    std::int64_t number = 0;
+    for_each_alternative<ToneMapper>([&](const auto& mapper) {
+        if (!is_local(own_adaptation(mapper))) numbers.push_back(number);
+        ++number;
+    });
+    return numbers;
+}();
 
 /// The operator whose number is the benchmark's first argument; its name becomes the label.
 ToneMapper alternative_of_range(benchmark::State& state) {

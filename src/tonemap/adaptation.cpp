@@ -1,5 +1,6 @@
 #include "tonemap/adaptation.h"
 
+#include "core/visit.h"
 #include "tonemap/relative_luminance.h"
 
 namespace emulsion {

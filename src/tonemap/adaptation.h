@@ -7,14 +7,19 @@
 #include "core/image.h"
 #include "core/named_value.h"
 #include "tonemap/adaptation_luminance.h"
+#include "tonemap/bilateral.h"
+#include "tonemap/centre_surround.h"
 #include "tonemap/global_adaptation.h"
 #include "tonemap/scene_luminance.h"
+#include "tonemap/uniform_radius.h"
+#include "tonemap/varying_radius.h"
 
 namespace emulsion {
 
 /// All adaptations; the first is the default of most operators. core/named_value.h prints, parses and lists them.
 using Adaptation =
-    std::variant<LogAverageAdaptation, AverageAdaptation, MedianAdaptation, CentreWeightedAdaptation, SpotAdaptation>;
+    std::variant<LogAverageAdaptation, AverageAdaptation, MedianAdaptation, CentreWeightedAdaptation, SpotAdaptation,
+                 UniformRadiusAdaptation, VaryingRadiusAdaptation, CentreSurroundAdaptation, BilateralAdaptation>;
 
 /// Whether each pixel has an adaptation of its own.
 [[nodiscard]] bool is_local(const Adaptation& adaptation) noexcept;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "core/row_blocks.h"
@@ -37,6 +39,26 @@ double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, 
     return otherwise;
 }
 
+/// Stands in the result for a pixel that is not good, until it is replaced.
+constexpr float kMissing = -1.0f;
+
+/// A row without the branches of classify(), so that it is worked on several pixels at a time. \return whether any is
+/// missing
+template <class T>
+bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
+    constexpr float kLargestFloat = std::numeric_limits<float>::max();
+    bool any_missing = false;
+    for (std::size_t x = 0; x < in.size(); ++x) {
+        const XYZ pixel = in[x];
+        const double luminance = pixel.y;
+        const bool is_good = (luminance >= 0.0) & (luminance < least_outlier) & (pixel.y <= kLargestFloat) &
+                             (std::abs(pixel.x) <= kLargestFloat) & (std::abs(pixel.z) <= kLargestFloat);
+        out[x] = is_good ? static_cast<T>(std::min(luminance * per_cdm2, kLargest)) : T(kMissing);
+        any_missing |= !is_good;
+    }
+    return any_missing;
+}
+
 }  // namespace
 
 double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
@@ -44,14 +66,14 @@ double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * lum
 template <class T>
 Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads) {
     const double unit = luminance.statistics().log_average_cdm2, least_outlier = least_outlier_cdm2(luminance);
-    const auto relative = [&](double cdm2) { return static_cast<T>(std::min(cdm2 / unit, kLargest)); };
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
-        const std::span<const XYZ> in = scene.row(y);
         const std::span<T> out = result.row(y);
-        for (std::size_t x = 0; x < in.size(); ++x) {
-            const bool good = is_good(in[x], least_outlier);
-            out[x] = relative(good ? double{in[x].y} : stand_in(scene, static_cast<int>(x), y, least_outlier, unit));
+        if (!relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
+        for (std::size_t x = 0; x < out.size(); ++x) {
+            if (out[x] != T(kMissing)) continue;
+            const double instead = stand_in(scene, static_cast<int>(x), y, least_outlier, unit);
+            out[x] = static_cast<T>(std::min(instead / unit, kLargest));
         }
     });
     return result;

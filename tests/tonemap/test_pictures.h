@@ -43,4 +43,19 @@ namespace emulsion {
     return scene;
 }
 
+/// Waves over some four decades about 1 cd/m^2, with a tenth of noise, as pictures have it; no bad pixels.
+[[nodiscard]] inline Image<XYZ> smooth_scene(int width, int height, unsigned seed) {
+    Pcg32 random(seed);
+    Image<XYZ> scene(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const float wave =
+                std::sin(0.11f * static_cast<float>(x)) + std::cos(0.07f * static_cast<float>(x + 2 * y));
+            const float luminance = std::pow(10.0f, wave) * (0.95f + 0.1f * random.next_float());
+            scene(x, y) = {0.9f * luminance, luminance, 1.2f * luminance};
+        }
+    }
+    return scene;
+}
+
 }  // namespace emulsion

@@ -21,7 +21,7 @@ class EveryToneMapperAt : public EveryToneMapper {};
 
 // As a filtered or interpolated picture has them.
 TEST_P(EveryToneMapperAt, ThousandthOfNegativesLeavesTheOthers) {
-    const Image<XYZ> clean = random_scene(100, 100, 14);
+    const Image<XYZ> clean = scene_for(GetParam(), 100, 100, 14);
     const Image<XYZ> clean_mapped = map(clean);
     Image<XYZ> scene = clean;
     Pcg32 random(15);
@@ -81,12 +81,16 @@ Image<XYZ> mirrored(const Image<XYZ>& image) {
 }
 
 TEST_P(EveryToneMapperAt, TurnsAndMirrorsWithThePicture) {
-    const Image<XYZ> scene = random_scene(83, 59, 18);
-    const Image<XYZ> mapped = map(scene);
-    // One adaptation differs by the order of its sum only; neighbourhoods by the order of their filters too.
-    const float tolerance = traits_of(GetParam()).monotone == Monotone::everywhere ? 1e-6f : 1.0f / 255.0f;
-    EXPECT_LE(differences(turned(mapped), map(turned(scene))).first, tolerance);
-    EXPECT_LE(differences(mirrored(mapped), map(mirrored(scene))).first, tolerance);
+    // One adaptation differs by the order of its sum only; neighbourhoods by the order of their filters too, and where
+    // sizes are not multiples of 16, by which pixels make up one of a smaller picture.
+    const auto expect_same = [](int width, int height, float tolerance) {
+        const Image<XYZ> scene = scene_for(GetParam(), width, height, 18);
+        const Image<XYZ> mapped = map(scene);
+        EXPECT_LE(differences(turned(mapped), map(turned(scene))).first, tolerance);
+        EXPECT_LE(differences(mirrored(mapped), map(mirrored(scene))).first, tolerance);
+    };
+    expect_same(96, 64, is_local(GetParam()) ? 1.0f / 255.0f : 1e-6f);
+    expect_same(83, 59, is_local(GetParam()) ? 10.0f / 255.0f : 1e-6f);
 }
 
 void draw(const ParameterRange& range, Pcg32& random, float& value) {

@@ -71,7 +71,7 @@ TEST_P(EveryToneMapper, OneBrightPixelAmongBlackIsShown) {
     scene(2, 2) = grey(3.0f);
     const Image<XYZ> mapped = map(scene);
     EXPECT_GT(mapped(2, 2).y, 0.02f);
-    EXPECT_LE(mapped(2, 2).y, 1.0f);
+    EXPECT_LE(mapped(2, 2).y, 1.0f + 1e-6f);
     EXPECT_EQ(mapped(0, 0), XYZ{});
 }
 
@@ -80,6 +80,7 @@ TEST_P(EveryToneMapper, KeepsChromaticity) {
     const Image<XYZ> mapped = map(scene);
     for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
         const XYZ before = scene.pixels()[i], after = mapped.pixels()[i];
+        if (after == XYZ{}) continue;  // black has none
         EXPECT_NEAR(after.x / after.y, before.x / before.y, 1e-6f);
         EXPECT_NEAR(after.z / after.y, before.z / before.y, 1e-6f);
     }
@@ -87,16 +88,18 @@ TEST_P(EveryToneMapper, KeepsChromaticity) {
 
 // The twin for any two pixels; the fast one to the tolerance of its table. 12 decades, those past the robust ends too.
 TEST_P(EveryToneMapper, IsMonotone) {
-    if (traits_of(GetParam()).monotone != Monotone::everywhere) GTEST_SKIP() << "claims it for one adaptation only";
+    const ToneMapping mapping = with_global_adaptation(GetParam());
     const Image<XYZ> ramp = ramp_of_greys(1e-6, 1e6, 20000);
-    const Image<XYZ> mapped = map(ramp);
-    const Image<XYZd> exact = tone_map_reference({GetParam()}, ramp.view(), kWhiteD);
+    const Image<XYZ> mapped = tone_map(mapping, ramp.view(), kWhite, 0).image;
+    const Image<XYZd> exact = tone_map_reference(mapping, ramp.view(), kWhiteD);
     for (int x = 1; x < ramp.width(); ++x) {
         ASSERT_GE(mapped(x, 0).y, mapped(x - 1, 0).y * (1.0f - 2e-4f)) << x;
         ASSERT_GE(exact(x, 0).y, exact(x - 1, 0).y * (1.0 - 1e-13)) << x;
     }
 }
 
+// In units that are a power of two apart, the bins of the histogram are the same. In others, the robust ends of the
+// range move within their bins, which are up to 3.1 % wide.
 TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
     const UnitOfLuminance unit = traits_of(GetParam()).unit;
     const Image<XYZ> scene = random_scene(61, 67, 9);
@@ -110,7 +113,7 @@ TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
         if (unit == UnitOfLuminance::absolute) {
             EXPECT_GT(relative, 2e-4f) << factor;
         } else if (unit == UnitOfLuminance::cancels || is_power_of_2) {
-            EXPECT_LE(relative, 2e-4f) << factor;
+            EXPECT_LE(relative, is_power_of_2 || !is_local(GetParam()) ? 2e-4f : 0.02f) << factor;
         }
         if (unit == UnitOfLuminance::nearly_cancels) {
             EXPECT_LE(of_shown, 3.0f / 255.0f) << factor;
@@ -120,7 +123,7 @@ TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
 
 // The picture as before, to the bit, but for the log-average of one pixel less.
 TEST_P(EveryToneMapper, BadPixelsBecomeDefinedAndLeaveTheOthers) {
-    const Image<XYZ> clean = random_scene(64, 64, 10);
+    const Image<XYZ> clean = scene_for(GetParam(), 64, 64, 10);
     const Image<XYZ> clean_mapped = map(clean);
     Image<XYZ> scene = clean;
     scene(3, 2) = {1.0f, kNan, 1.0f};
@@ -142,7 +145,7 @@ TEST_P(EveryToneMapper, BadPixelsBecomeDefinedAndLeaveTheOthers) {
 }
 
 TEST_P(EveryToneMapper, OutlierDoesToTheOthersWhatItSays) {
-    const Image<XYZ> clean = random_scene(64, 64, 10);
+    const Image<XYZ> clean = scene_for(GetParam(), 64, 64, 10);
     const Image<XYZ> clean_mapped = map(clean);
     Image<XYZ> scene = clean;
     scene(20, 30) = grey(1e30f);
@@ -176,10 +179,33 @@ TEST_P(EveryToneMapper, HalfBlackLeavesTheOtherHalf) {
     const Image<XYZ> half = random_scene(64, 32, 11);
     Image<XYZ> scene(64, 64);
     std::copy(half.pixels().begin(), half.pixels().end(), scene.pixels().begin());
-    const Image<XYZ> half_mapped = map(half), mapped = map(scene);
+    const ToneMapping mapping = with_global_adaptation(GetParam());
+    const Image<XYZ> half_mapped = tone_map(mapping, half.view(), kWhite, 1).image;
+    const Image<XYZ> mapped = tone_map(mapping, scene.view(), kWhite, 1).image;
     for (int y = 0; y < 32; ++y) {
         for (int x = 0; x < 64; ++x) EXPECT_EQ(mapped(x, y), half_mapped(x, y));
     }
+}
+
+// The other half is black, or the first one mirrored. Neighbourhoods reach across; farther off nothing is to be seen.
+TEST_P(EveryToneMapper, HalfBlackIsFarFromTheOtherHalf) {
+    constexpr int kHeight = 128, kReach = 64;
+    const Image<XYZ> half = smooth_scene(64, kHeight, 11);
+    Image<XYZ> black(64, 2 * kHeight), mirrored(64, 2 * kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            black(x, y) = mirrored(x, y) = mirrored(x, 2 * kHeight - 1 - y) = half(x, y);
+        }
+    }
+    const Image<XYZ> beside_black = map(black), beside_mirrored = map(mirrored);
+    expect_sound(beside_black);
+    float largest = 0.0f;
+    for (int y = 0; y < kHeight - kReach; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            largest = std::max(largest, std::abs(shown(beside_black(x, y)) - shown(beside_mirrored(x, y))));
+        }
+    }
+    EXPECT_LE(largest, 2.0f / 255.0f);
 }
 
 TEST_P(EveryToneMapper, SameBitsForEveryNumberOfThreads) {
