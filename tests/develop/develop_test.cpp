@@ -176,6 +176,23 @@ TEST(Develop, AnySizeAndAllBlack) {
     }
 }
 
+// Bloom, then vision, then the tone curve: as by hand.
+TEST(Develop, BloomAndVisionComeBeforeTheToneCurve) {
+    Image<XYZ> scene = random_scene(61, 47, 84);
+    scene(7, 9) = {kNan, kNan, kNan};
+    Pipeline pipeline{.bloom = QuarticBloom{}, .vision = HumanVision{}, .dither = NoDither{}};
+    const DevelopResult result = develop(scene, pipeline, 2);
+    const Image<XYZ> bloomed = add_bloom(pipeline.bloom, scene.view(), 1);
+    const Image<XYZ> seen = see(pipeline.vision, bloomed.view(), 1);
+    pipeline.bloom = NoBloom{};
+    pipeline.vision = NoVision{};
+    const DevelopResult by_hand = develop(seen, pipeline, 1);
+    EXPECT_EQ(result.image, by_hand.image);
+    EXPECT_EQ(result.report, by_hand.report);
+    EXPECT_EQ(result.report.luminance.counts.nan, 1);
+    EXPECT_NE(result.image, develop(scene, pipeline, 1).image);
+}
+
 TEST(Develop, RejectsWhatItCannotDo) {
     EXPECT_THROW((void)develop(Image<XYZ>(), {}, 1), std::invalid_argument);
     EXPECT_THROW((void)develop(Image<XYZ>(1, 1), {.tone_mapper = ReinhardGlobal{0.0f}}, 1), std::invalid_argument);

@@ -77,7 +77,8 @@ std::string message_of(std::string_view text) {
 
 TEST(Pipeline, TextOfTheDefault) {
     EXPECT_EQ(to_text(Pipeline{}),
-              "tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb bits=8 "
+              "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb "
+              "bits=8 "
               "dither=floyd-steinberg");
 }
 
@@ -94,6 +95,10 @@ TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
     Pcg32 random(70);
     for (int round = 0; round < 1000; ++round) {
         for_each_pipeline([&](Pipeline pipeline) {
+            pipeline.bloom = QuarticBloom{};
+            pipeline.vision = HumanVision{};
+            randomise(pipeline.bloom, random);
+            randomise(pipeline.vision, random);
             randomise(pipeline.tone_mapper, random);
             randomise(pipeline.display, random);
             randomise(pipeline.gamut, random);
@@ -112,6 +117,16 @@ TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
     expected.dither = NoDither{};
     expected.tone_mapper = ReinhardGlobal{0.5f};
     EXPECT_EQ(parse_pipeline(" dither=none\ttonemap=reinhard-global:key=0.5 \n"), expected);
+}
+
+TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
+    Pipeline expected;
+    expected.bloom = QuarticBloom{0.25f, 0.5f};
+    expected.vision = HumanVision{.fov = 30.0f, .rods = 0.5f};
+    EXPECT_EQ(parse_pipeline("vision=human:fov=30,rods=0.5 bloom=quartic:radius=0.25,weight=0.5"), expected);
+    EXPECT_EQ(parse_pipeline(to_text(expected)), expected);
+    EXPECT_EQ(message_of("bloom=quartic:weight=2"), "bloom quartic: weight = 2: must be in [0, 1]");
+    EXPECT_EQ(message_of("vision=human:fov=180"), "vision human: fov = 180: must be in [1, 170]");
 }
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
