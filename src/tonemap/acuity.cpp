@@ -124,8 +124,11 @@ Sum blurred(const std::vector<AcuityLevel>& levels, const XYZ& pixel, double sca
     if (coarser > 1) {
         add_level(levels[coarser - 1], px, py, 1.0f - share, sum);
     } else {
-        const auto here = static_cast<float>(scale * (1.0 - double{share}));
-        sum = {sum[0] + here * pixel.x, sum[1] + here * pixel.y, sum[2] + here * pixel.z, sum[3] + 1.0f - share};
+        const double here = scale * (1.0 - double{share});  // may be beyond floats, of pixels that are denormal
+        sum[0] += static_cast<float>(here * pixel.x);
+        sum[1] += static_cast<float>(here * pixel.y);
+        sum[2] += static_cast<float>(here * pixel.z);
+        sum[3] += 1.0f - share;
     }
     return sum;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/named_value.h"
+#include "tonemap/copied.h"
 #include "tonemap/spread_light.h"
 
 namespace emulsion {
@@ -28,16 +29,10 @@ bool acts(const QuarticBloom& bloom, ImageView<const XYZ> scene) noexcept {
     return bloom.weight > 0.0f && radius_px(bloom, scene) > 1.0;
 }
 
-Image<XYZ> copy_of(ImageView<const XYZ> scene) {
-    Image<XYZ> copy(scene.width(), scene.height());
-    std::copy(scene.pixels().begin(), scene.pixels().end(), copy.pixels().begin());
-    return copy;
-}
-
-Image<XYZ> bloomed(const NoBloom&, ImageView<const XYZ> scene, int) { return copy_of(scene); }
+Image<XYZ> bloomed(const NoBloom&, ImageView<const XYZ> scene, int threads) { return copied(scene, threads); }
 
 Image<XYZ> bloomed(const QuarticBloom& bloom, ImageView<const XYZ> scene, int threads) {
-    if (!acts(bloom, scene)) return copy_of(scene);
+    if (!acts(bloom, scene)) return copied(scene, threads);
     std::vector<GaussianLobe> lobes(kUnitLobes.begin(), kUnitLobes.end());
     for (GaussianLobe& lobe : lobes) lobe.sigma_px *= radius_px(bloom, scene);
     return spread_light(scene, bloom.weight, lobes, threads);

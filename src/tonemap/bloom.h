@@ -45,7 +45,7 @@ using Bloom = std::variant<NoBloom, QuarticBloom>;
 [[nodiscard]] double quartic_kernel(double relative_distance) noexcept;
 
 /// Bad pixels (pixel_class.h) neither spread nor change; what would fall on them stays where it comes from. Each sum
-/// over the good pixels is within 1e-6 of what it was, relative to that of the magnitudes. The kernel is within 2 % of
+/// over the good pixels is within 1e-6 of what it was, relative to that of the magnitudes. The kernel is within 5 % of
 /// its peak of the twin's, and 2 % of the light that spreads falls elsewhere than the twin's at most. Cost grows with
 /// the number of pixels only; memory besides the result: two thirds of a picture, a whole one with bad pixels.
 /// The same bits for every number of threads (0: all).

@@ -6,6 +6,7 @@
 
 #include "core/named_value.h"
 #include "tonemap/acuity.h"
+#include "tonemap/copied.h"
 #include "tonemap/pixel_class.h"
 #include "tonemap/rod_vision.h"
 #include "tonemap/veiling_glare.h"
@@ -24,18 +25,12 @@ double degrees_per_px(const HumanVision& vision, ImageView<const XYZ> scene) noe
     return tangent_per_px(vision, scene) * 180.0 / std::numbers::pi;
 }
 
-Image<XYZ> copy_of(ImageView<const XYZ> scene) {
-    Image<XYZ> copy(scene.width(), scene.height());
-    std::copy(scene.pixels().begin(), scene.pixels().end(), copy.pixels().begin());
-    return copy;
-}
-
-Image<XYZ> seen(const NoVision&, ImageView<const XYZ> scene, int) { return copy_of(scene); }
+Image<XYZ> seen(const NoVision&, ImageView<const XYZ> scene, int threads) { return copied(scene, threads); }
 
 Image<XYZ> seen(const HumanVision& vision, ImageView<const XYZ> scene, int threads) {
     Image<XYZ> picture =
         vision.glare > 0.0f ? add_veil(scene, double{vision.glare} * kVeilShare, tangent_per_px(vision, scene), threads)
-                            : copy_of(scene);
+                            : copied(scene, threads);
     if (vision.acuity > 0.0f) {
         lose_acuity(picture.view(), {vision.acuity, degrees_per_px(vision, scene)}, threads);
     }

@@ -45,7 +45,8 @@ struct HumanVision {
 /// The first is the default. core/named_value.h prints, parses and lists them.
 using Vision = std::variant<NoVision, HumanVision>;
 
-/// Bad pixels (pixel_class.h) stay as they are, and others do not know of them. Cost grows with the number of pixels
+/// Bad pixels (pixel_class.h) stay as they are, and others do not know of them; a pixel of 1e30 cd/m^2 veils the whole
+/// picture, though: that is the method. Cost grows with the number of pixels
 /// only; memory besides the result: one picture at most.
 /// The same bits for every number of threads (0: all).
 /// \throws std::invalid_argument if a parameter is out of its range, the picture is empty, or threads < 0.
