@@ -97,6 +97,7 @@ GoodLight good_light(ImageView<const XYZ> scene, int threads) {
 }
 
 Image<XYZ> spread_light(ImageView<const XYZ> scene, double weight, std::span<const GaussianLobe> lobes, int threads) {
+    Image<XYZ> result(scene.width(), scene.height());  // refuses an empty picture
     const GoodLight light = good_light(scene, threads);
     Image<float> good;  // the share of each pixel's light that falls on good ones
     if (light.has_bad) {
@@ -104,7 +105,6 @@ Image<XYZ> spread_light(ImageView<const XYZ> scene, double weight, std::span<con
         scatter(lobes, light.good, threads,
                 [&](int y, std::span<const float> row) { std::copy(row.begin(), row.end(), good.row(y).begin()); });
     }
-    Image<XYZ> result(scene.width(), scene.height());
     scatter(lobes, light.rows, threads, [&](int y, std::span<const float> spread) {
         for (int x = 0; x < scene.width(); ++x) {
             const XYZ pixel = scene(x, y);

@@ -19,14 +19,14 @@ struct GoodLight {
     bool has_bad = false;
 };
 
-/// Looks at all pixels. \throws std::invalid_argument if threads < 0.
+/// Looks at all pixels, of which there is one or more. \throws std::invalid_argument if threads < 0.
 [[nodiscard]] GoodLight good_light(ImageView<const XYZ> scene, int threads);
 
 /// (1 - weight) picture + weight (picture convolved with the sum of the lobes): see scatter(). What would fall on bad
 /// pixels stays where it comes from, and bad pixels stay as they are; so the sum of the good ones stays, too, within
 /// 1e-6, and what is constant but for bad pixels. Memory besides the result: two thirds of a picture, and another third
 /// if there are bad pixels. The same bits for every number of threads (0: all).
-/// \throws std::invalid_argument if threads < 0.
+/// \throws std::invalid_argument if the picture is empty or threads < 0.
 [[nodiscard]] Image<XYZ> spread_light(ImageView<const XYZ> scene, double weight, std::span<const GaussianLobe> lobes,
                                       int threads);
 
