@@ -61,7 +61,7 @@ void add_blurred(const LightRows& light, std::span<const GaussianBlur> blurs, in
     const auto channels = static_cast<std::size_t>(light.channels);
     const std::size_t size = static_cast<std::size_t>(light.width) * channels;
     const std::size_t pad = static_cast<std::size_t>(reach_x) * channels, stride = size + 2 * pad;
-    const auto rows = static_cast<std::size_t>(y1 - y0 + 2 * reach_y);
+    const auto rows = static_cast<std::size_t>(y1 - y0) + 2 * static_cast<std::size_t>(reach_y);
     std::vector<float> padded(rows * stride);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::span<float> here = std::span(padded).subspan(row * stride, stride);

@@ -14,30 +14,30 @@ void add_scaled(std::span<const float> row, float weight, std::span<float> sum) 
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * row[i];
 }
 
-/// The weighted mean of pixels of a row, each of kChannels floats.
-template <std::size_t kChannels>
-std::array<float, kChannels> mean_of(const AxisHalving::Taps& taps, std::span<const float> row) noexcept {
-    std::array<float, kChannels> mean{};
-    const float* pixel = &row[static_cast<std::size_t>(taps.first) * kChannels];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(taps.count); ++k, pixel += kChannels) {
-        for (std::size_t c = 0; c < kChannels; ++c) mean[c] += taps.weights[k] * pixel[c];
+/// The weighted mean of pixels of a row, each of Channels floats.
+template <std::size_t Channels>
+std::array<float, Channels> mean_of(const AxisHalving::Taps& taps, std::span<const float> row) noexcept {
+    std::array<float, Channels> mean{};
+    const float* pixel = &row[static_cast<std::size_t>(taps.first) * Channels];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(taps.count); ++k, pixel += Channels) {
+        for (std::size_t c = 0; c < Channels; ++c) mean[c] += taps.weights[k] * pixel[c];
     }
     return mean;
 }
 
-template <std::size_t kChannels>
+template <std::size_t Channels>
 void halve_row(const AxisHalving& axis, std::span<const float> row, std::span<float> half) noexcept {
     for (int j = 0; j < axis.half_size(); ++j) {
-        const auto mean = mean_of<kChannels>(axis.down(j), row);
-        std::copy(mean.begin(), mean.end(), &half[static_cast<std::size_t>(j) * kChannels]);
+        const auto mean = mean_of<Channels>(axis.down(j), row);
+        std::copy(mean.begin(), mean.end(), &half[static_cast<std::size_t>(j) * Channels]);
     }
 }
 
-template <std::size_t kChannels>
+template <std::size_t Channels>
 void add_doubled(const AxisHalving& axis, std::span<const float> half, std::span<float> sum) noexcept {
     for (int i = 0; i < axis.size(); ++i) {
-        const auto mean = mean_of<kChannels>(axis.up(i), half);
-        for (std::size_t c = 0; c < kChannels; ++c) sum[static_cast<std::size_t>(i) * kChannels + c] += mean[c];
+        const auto mean = mean_of<Channels>(axis.up(i), half);
+        for (std::size_t c = 0; c < Channels; ++c) sum[static_cast<std::size_t>(i) * Channels + c] += mean[c];
     }
 }
 

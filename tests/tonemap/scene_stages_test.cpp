@@ -31,7 +31,7 @@ struct Stage {
     std::function<Image<XYZ>(const Image<XYZ>&, int threads)> apply;
 };
 
-void PrintTo(const Stage& stage, std::ostream* out) { *out << stage.name; }
+std::ostream& operator<<(std::ostream& out, const Stage& stage) { return out << stage.name; }
 
 std::vector<Stage> all_stages() {
     std::vector<Stage> stages;
