@@ -131,7 +131,8 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, display, gamut or bits");
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, bloom, display, gamut, "
+              "vision or bits");
     EXPECT_EQ(message_of("tonemap=max"), "tonemap \"max\": unknown; expected max-to-white or reinhard-global");
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=0"), "tonemap reinhard-global: key = 0: must be in (0, inf)");
     EXPECT_EQ(message_of("bits=10"), "bits = 10: must be in [8, 8]");
