@@ -133,7 +133,7 @@ void tone_map_twin(benchmark::State& state) {
 void adaptation(benchmark::State& state) {
     const auto chosen = alternative_of<Adaptation>(state.range(0), state);
     const Image<XYZ>& scene = scene_of(8);
-    const SceneLuminance luminance = scene_luminance(scene.view(), 0);
+    const SceneLuminance luminance = SceneLuminance(scene.view(), 0);
     for (auto _ : state) {
         benchmark::DoNotOptimize(adapt(chosen, scene.view(), luminance, static_cast<int>(state.range(1))));
     }

@@ -1,9 +1,12 @@
 #include "cli/tone_reports.h"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "core/text_file.h"
 #include "develop/contact_sheet.h"
+#include "develop/develop.h"
 #include "display/png_file.h"
 #include "tonemap/tone_mapper.h"
 
@@ -40,12 +43,13 @@ void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& sce
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
+    const std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads);
     const ToneMapping mapping{pipeline.tone_mapper, pipeline.adaptation};
     std::string text =
         fmt::format("# {} adapted to {}\n# display luminance 1 is display white\n", to_text(mapping.mapper),
                     to_text(mapping.adaptation ? *mapping.adaptation : own_adaptation(mapping.mapper)));
     text += "luminance_cdm2,display_luminance\n";
-    for (const CurvePoint& point : tone_curve(mapping, scene.view(), threads)) {
+    for (const CurvePoint& point : tone_curve(mapping, (picture ? *picture : scene).view(), threads)) {
         text += fmt::format("{:.9g},{:.9g}\n", point.luminance_cdm2, point.display_luminance);
     }
     write_text_file(csv, text);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -74,10 +75,12 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
     Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
     std::fill(sheet.pixels().begin(), sheet.pixels().end(), kBackground);
     const XYZd white = white_xyz(pipeline.display);
+    const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
+    const Image<XYZ>& picture = before ? *before : scene;
     int number = 0;
     for_each_alternative<ToneMapper>([&](const auto& mapper) {
         const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
-        const ToneMapResult mapped = tone_map({.mapper = mapper}, scene.view(), display_white, threads);
+        const ToneMapResult mapped = tone_map({.mapper = mapper}, picture.view(), display_white, threads);
         const Image<XYZ> tile = averaged_down(mapped.image, width, height, threads);
         const int x = kMargin_px + number % columns * cell_width, y = kMargin_px + number / columns * cell_height;
         paste(develop_tone_mapped(tile, pipeline, threads).image, x, y, sheet);

@@ -18,6 +18,8 @@ constexpr std::string_view kOwn = "own";  // a stage that is left to another
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
 template <class AnyPipeline, class Visitor>
 void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
+    visitor("bloom", pipeline.bloom);
+    visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
     visitor("display", pipeline.display);

@@ -18,6 +18,10 @@ enum class PixelClass { positive, zero, negative, nan, infinite };
     return pixel.y == 0.0f ? PixelClass::zero : PixelClass::positive;
 }
 
+[[nodiscard]] constexpr bool is_bad(PixelClass pixel_class) noexcept {
+    return pixel_class != PixelClass::positive && pixel_class != PixelClass::zero;
+}
+
 struct PixelCounts {
     std::int64_t positive = 0, zero = 0, negative = 0, nan = 0, infinite = 0;
 

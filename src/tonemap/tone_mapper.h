@@ -35,10 +35,9 @@
 namespace emulsion {
 
 /// All operators; the first is the default. core/named_value.h prints, parses and lists them.
-using ToneMapper =
-    std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, Exposure, ContrastScale, ZoneSystem, HistogramAdjustment,
-                 HistogramHuman, LocalAdaptation, HighContrast, ReinhardLocal, Durand, TumblinRushmeier, Drago,
-                 HableFilmic, AcesFit, AgX, KhronosNeutral>;
+using ToneMapper = std::variant<ReinhardGlobal, MaxToWhite, FixedWhite, Exposure, ContrastScale, ZoneSystem,
+                                HistogramAdjustment, HistogramHuman, LocalAdaptation, HighContrast, ReinhardLocal,
+                                Durand, TumblinRushmeier, Drago, HableFilmic, AcesFit, AgX, KhronosNeutral>;
 
 /// What the operator itself says: see operator_traits.h, own_adaptation() and prepare() of each.
 [[nodiscard]] OperatorTraits traits_of(const ToneMapper& mapper) noexcept;

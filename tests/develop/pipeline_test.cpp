@@ -77,9 +77,10 @@ std::string message_of(std::string_view text) {
 }
 
 TEST(Pipeline, TextOfTheDefault) {
-    EXPECT_EQ(to_text(Pipeline{}),
-              "tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip transfer=srgb "
-              "bits=8 dither=floyd-steinberg");
+    EXPECT_EQ(
+        to_text(Pipeline{}),
+        "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip "
+        "transfer=srgb bits=8 dither=floyd-steinberg");
 }
 
 TEST(Pipeline, EveryCombinationReadsBackAsTheSameValue) {
@@ -97,6 +98,10 @@ TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
     for_each_alternative<Adaptation>([&](const auto& adaptation) { adaptations.emplace_back(adaptation); });
     for (int round = 0; round < 300; ++round) {
         for_each_pipeline([&](Pipeline pipeline) {
+            pipeline.bloom = QuarticBloom{};
+            pipeline.vision = HumanVision{};
+            randomise(pipeline.bloom, random);
+            randomise(pipeline.vision, random);
             pipeline.adaptation = adaptations[random.next() % adaptations.size()];
             randomise(pipeline.tone_mapper, random);
             randomise(*pipeline.adaptation, random);
@@ -131,10 +136,20 @@ TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
     EXPECT_EQ(parse_pipeline(" dither=none\ttonemap=reinhard-global:key=0.5 \n"), expected);
 }
 
+TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
+    Pipeline expected;
+    expected.bloom = QuarticBloom{0.25f, 0.5f};
+    expected.vision = HumanVision{.fov = 30.0f, .rods = 0.5f};
+    EXPECT_EQ(parse_pipeline("vision=human:fov=30,rods=0.5 bloom=quartic:radius=0.25,weight=0.5"), expected);
+    EXPECT_EQ(parse_pipeline(to_text(expected)), expected);
+    EXPECT_EQ(message_of("bloom=quartic:weight=2"), "bloom quartic: weight = 2: must be in [0, 1]");
+    EXPECT_EQ(message_of("vision=human:fov=180"), "vision human: fov = 180: must be in [1, 170]");
+}
+
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, adaptation, display, gamut "
-              "or bits");
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, bloom, adaptation, display, "
+              "gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");

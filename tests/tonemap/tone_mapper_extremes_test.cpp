@@ -29,11 +29,13 @@ TEST_P(EveryToneMapperAt, ThousandthOfNegativesLeavesTheOthers) {
         scene.pixels()[random.next() % 10000] = {-0.1f, -0.1f * random.next_float() - 1e-6f, 0.2f};
     const ToneMapResult result = tone_map({GetParam()}, scene.view(), kWhite, 1);
     EXPECT_EQ(result.statistics.counts.negative, 10);
+    // What was where a pixel is negative now is lost to the neighbourhoods of those beside it.
+    const float tolerance = (is_local(GetParam()) ? 3.0f : 2.0f) / 255.0f;
     for (std::size_t i = 0; i < clean.pixels().size(); ++i) {
         if (scene.pixels()[i].y < 0.0f) {
             EXPECT_EQ(result.image.pixels()[i], XYZ{});
         } else {
-            EXPECT_NEAR(shown(result.image.pixels()[i]), shown(clean_mapped.pixels()[i]), 2.0f / 255.0f) << i;
+            EXPECT_NEAR(shown(result.image.pixels()[i]), shown(clean_mapped.pixels()[i]), tolerance) << i;
         }
     }
 }
@@ -90,7 +92,7 @@ TEST_P(EveryToneMapperAt, TurnsAndMirrorsWithThePicture) {
         EXPECT_LE(differences(mirrored(mapped), map(mirrored(scene))).first, tolerance);
     };
     expect_same(96, 64, is_local(GetParam()) ? 1.0f / 255.0f : 1e-6f);
-    expect_same(83, 59, is_local(GetParam()) ? 10.0f / 255.0f : 1e-6f);
+    expect_same(83, 59, is_local(GetParam()) ? 0.05f : 1e-6f);
 }
 
 void draw(const ParameterRange& range, Pcg32& random, float& value) {
