@@ -47,7 +47,8 @@ emulsion_status emulsion_tile_add_aux(emulsion_tile* tile, size_t count, const i
                                       const float* weight, const char* layer, const float* values) {
     return guarded([&] {
         emulsion::FilmTile& to = tile_for(tile, emulsion::FilterUse::importance_sampled);
-        add_aux_batch(to, emulsion::capi::pixels(count, x_px, y_px, weight), aux(to, count, layer, values));
+        const emulsion::BatchPixels at = emulsion::capi::pixels(count, x_px, y_px, weight);
+        add_aux_batch(to, at, aux(to, count, layer, values));
     });
 }
 
@@ -55,7 +56,8 @@ emulsion_status emulsion_tile_add_aux_at(emulsion_tile* tile, size_t count, cons
                                          const char* layer, const float* values) {
     return guarded([&] {
         emulsion::FilmTile& to = tile_for(tile, emulsion::FilterUse::splatted);
-        add_aux_batch_at(to, emulsion::capi::places(count, x_px, y_px), aux(to, count, layer, values));
+        const emulsion::BatchPlaces at = emulsion::capi::places(count, x_px, y_px);
+        add_aux_batch_at(to, at, aux(to, count, layer, values));
     });
 }
 
