@@ -135,22 +135,28 @@ void BasicFilmTile<Sums>::add_more(std::size_t i, XYZ value, float weight) noexc
 
 template <class Sums>
 void BasicFilmTile<Sums>::add_channels(std::size_t i, XYZ value, float weight) noexcept {
-    const auto w = static_cast<double>(weight);
-    const std::span<SquareSum> squares = channels_.squares(i);
-    if (squares.size() == 1) {
-        squares[0] += SquareSum(w * product(value.y, value.y));
-    } else if (squares.size() == 3) {
-        squares[0] += SquareSum(w * product(value.x, value.x));
-        squares[1] += SquareSum(w * product(value.y, value.y));
-        squares[2] += SquareSum(w * product(value.z, value.z));
-    }
+    add_squares(i, value, weight);
     if (mean_groups_ == 0) return;
     const int place = setup_->channels.means.begin + 4 * group_;
     const std::span<ExactSum> mean = channels_.sums(i).subspan(static_cast<std::size_t>(place), 4);
     add_to(mean[0], product(weight, value.x));
     add_to(mean[1], product(weight, value.y));
     add_to(mean[2], product(weight, value.z));
-    add_to(mean[3], w);
+    add_to(mean[3], static_cast<double>(weight));
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_squares(std::size_t i, XYZ value, float weight) noexcept {
+    const std::span<SquareSum> squares = channels_.squares(i);
+    const FilmChannels::Group& of_weights = setup_->channels.squared_weights;
+    const double w = of_weights.size > 0 ? product(weight, weight) : static_cast<double>(weight);
+    const std::array<float, 3> all = {value.x, value.y, value.z};
+    const std::span<const float> values = squares.size() == 1 ? std::span(all).subspan(1, 1) : std::span(all);
+    for (std::size_t k = 0; k < squares.size(); ++k) squares[k] += SquareSum(w * product(values[k], values[k]));
+    if (of_weights.size == 0) return;
+    const std::span<ExactSum> sums = channels_.sums(i).subspan(static_cast<std::size_t>(of_weights.begin));
+    for (std::size_t k = 0; k < squares.size(); ++k) add_to(sums[k], w * static_cast<double>(values[k]));
+    add_to(sums[squares.size()], w);
 }
 
 template <class Sums>

@@ -134,6 +134,7 @@ class BasicFilmTile {
     [[nodiscard]] static float kept_share(const SensorSample& sample, float max_luminance) noexcept;
     void accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample, float weight) noexcept;
     void add_channels(std::size_t i, XYZ value, float weight) noexcept;
+    void add_squares(std::size_t i, XYZ value, float weight) noexcept;
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;

@@ -51,6 +51,10 @@ inline std::vector<NamedFilm> every_film() {
     add("crop", [&](FilmOptions& o) { o.crop = PixelBounds{1, 2, 4, 3}; });
     add("crop of everything", [&](FilmOptions& o) { o.crop = bounds_of(o); });
     add("variance", [](FilmOptions& o) { o.variance = FilmVariance::luminance; });
+    add("variance under lobes", [](FilmOptions& o) {
+        o.filter = CatmullRomFilter{};
+        o.variance = FilmVariance::luminance;
+    });
     add("splats", [](FilmOptions& o) { o.light_splats = true; });
     add("splatted", [](FilmOptions& o) {
         o.filter = GaussianFilter{};
