@@ -168,6 +168,10 @@ typedef enum emulsion_dropped_kind {
 /* kind: an emulsion_dropped_kind. */
 emulsion_status emulsion_film_dropped_count(const emulsion_film* film, int32_t kind, uint64_t* count);
 
+/* Samples whose luminance is above 0 and at most half of the resolution of the film's sums, 2.8e-14 in the film's
+ * units: they were added, as what they round to. */
+emulsion_status emulsion_film_faint_count(const emulsion_film* film, uint64_t* count);
+
 /* Pixels that have no samples, or whose weights cancel: their value is 0. */
 emulsion_status emulsion_film_pixels_without_value(const emulsion_film* film, uint64_t* count);
 /* Pixels that have left the range of the film's sums: their value is wrong. */

@@ -69,6 +69,7 @@ emulsion::ExrWriteResult write(const emulsion::Film& film, const char* path, con
     metadata.dropped_nan_count = dropped.count(emulsion::DroppedKind::nan);
     metadata.dropped_infinite_count = dropped.count(emulsion::DroppedKind::infinite);
     metadata.dropped_negative_luminance_count = dropped.count(emulsion::DroppedKind::negative_luminance);
+    metadata.faint_count = film.counts().faint;
     metadata.filter = to_text(film.options().filter);
     if (from.renderer_version != nullptr) metadata.renderer_version = from.renderer_version;
     emulsion::FilmPicture picture;

@@ -94,7 +94,7 @@ void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     channels_.clear();
     group_ = 0;
-    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
+    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = faint_samples_ = 0;
     dropped_ = {};
     clamped_ = {};
 }
@@ -120,10 +120,18 @@ void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const 
     const XYZ value = share * sample.xyz;
     pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z),
                    static_cast<double>(weight));
-    ++clamped_.count;
-    add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    count_if_faint(sample.luminance);
+    if (share < 1.0f) {
+        ++clamped_.count;
+        add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    }
     carry_in_time(i);
     if (has_more_) add_more(i, value, weight);
+}
+
+template <class Sums>
+[[gnu::cold, gnu::noinline]] void BasicFilmTile<Sums>::count_unless_black(float luminance) noexcept {
+    if (luminance > 0.0f) ++faint_samples_;
 }
 
 template <class Sums>
@@ -225,6 +233,7 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
             if (has_buckets_) add_buckets(i, sample, spectral, weight);
         });
     }
+    count_if_faint(sample.luminance);
     ++spread_samples_;
     carry_all_in_time();
 }
@@ -251,6 +260,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
                    density * coverage * radiance);
         });
     });
+    count_if_faint(sample.luminance);
     ++light_splats_;
 }
 
