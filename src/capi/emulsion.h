@@ -202,6 +202,9 @@ emulsion_status emulsion_film_dropped_count(const emulsion_film* film, int32_t k
 emulsion_status emulsion_film_dropped_aux_count(const emulsion_film* film, uint64_t* count);
 /* Samples that firefly control has scaled down. */
 emulsion_status emulsion_film_clamped_count(const emulsion_film* film, uint64_t* count);
+/* Samples whose luminance is above 0 and at most half of the resolution of the film's sums, 2.8e-14 in the film's
+ * units: they were added, as what they round to. */
+emulsion_status emulsion_film_faint_count(const emulsion_film* film, uint64_t* count);
 
 /* Pixels that have no samples, or whose weights cancel: their value is 0. */
 emulsion_status emulsion_film_pixels_without_value(const emulsion_film* film, uint64_t* count);
@@ -223,8 +226,7 @@ emulsion_status emulsion_film_read_sample_counts(const emulsion_film* film, uint
 /* Of samples under the filter, squares of the film's units: 1 number of EMULSION_VARIANCE_LUMINANCE, Y, or 3 of
  * EMULSION_VARIANCE_XYZ. 0 for pixels of fewer than two samples. */
 emulsion_status emulsion_film_read_variance(const emulsion_film* film, float* variance, size_t length);
-/* Of the pixel, in the film's units; as many. For samples that are independent: stratified ones do better. Under
- * filters with negative lobes ("mitchell", "catmull-rom", "sinc") too small at edges, as is the variance. */
+/* Of the pixel, in the film's units; as many. For samples that are independent: stratified ones do better. */
 emulsion_status emulsion_film_read_standard_error(const emulsion_film* film, float* standard_error, size_t length);
 
 /* Mean radiance in each bucket, W m^-2 sr^-1 nm^-1, without the imaging ratio; spectrum_count numbers, from

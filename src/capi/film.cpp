@@ -86,6 +86,10 @@ emulsion_status emulsion_film_clamped_count(const emulsion_film* film, uint64_t*
     return guarded([&] { dereference(count, "count") = dereference(film, "film").film.counts().clamped.count; });
 }
 
+emulsion_status emulsion_film_faint_count(const emulsion_film* film, uint64_t* count) {
+    return guarded([&] { dereference(count, "count") = dereference(film, "film").film.counts().faint; });
+}
+
 emulsion_status emulsion_film_pixels_without_value(const emulsion_film* film, uint64_t* count) {
     return guarded([&] {
         dereference(count, "count") = static_cast<std::uint64_t>(dereference(film, "film").film.pixels_without_value());

@@ -184,11 +184,13 @@ void report_losses(const FilmInfo& info, InfoReport& report) {
         }
         report.member("first_dropped", json_list(first));
     }
+    if (metadata.faint_count > 0) report.line("too faint", std::to_string(metadata.faint_count));
     report.line("firefly control", metadata.firefly_control.empty() ? "none" : metadata.firefly_control);
     report.member("dropped",
                   json_object({{"nan", std::to_string(metadata.dropped_nan_count)},
                                {"infinite", std::to_string(metadata.dropped_infinite_count)},
                                {"negative_luminance", std::to_string(metadata.dropped_negative_luminance_count)}}));
+    report.member("faint", std::to_string(metadata.faint_count));
     report.member_text("firefly_control", metadata.firefly_control);
 }
 

@@ -37,11 +37,13 @@ struct FilmMetadata {
     std::uint64_t dropped_nan_count = 0;                 ///< "emulsion.droppedNanCount"
     std::uint64_t dropped_infinite_count = 0;            ///< "emulsion.droppedInfiniteCount"
     std::uint64_t dropped_negative_luminance_count = 0;  ///< "emulsion.droppedNegativeCount"
-    std::uint64_t seed = 0;                              ///< "emulsion.seed"
-    std::string renderer_version = {};                   ///< "emulsion.rendererVersion"
-    std::string command_line = {};                       ///< "emulsion.commandLine"
-    std::string filter = {};                             ///< "mitchell:..."; "emulsion.filter"
-    std::string film = {};                               ///< the film's other options; "emulsion.film"
+    /// Samples too faint for the film's sums (film/film_counts.h); "emulsion.faintCount"
+    std::uint64_t faint_count = 0;
+    std::uint64_t seed = 0;             ///< "emulsion.seed"
+    std::string renderer_version = {};  ///< "emulsion.rendererVersion"
+    std::string command_line = {};      ///< "emulsion.commandLine"
+    std::string filter = {};            ///< "mitchell:..."; "emulsion.filter"
+    std::string film = {};              ///< the film's other options; "emulsion.film"
     /// What was done against fireflies, and its measured bias; empty: nothing. "emulsion.fireflyControl"
     std::string firefly_control = {};
     bool operator==(const FilmMetadata&) const = default;

@@ -88,6 +88,7 @@ void update_counts(const FilmContents<ExactSums>& contents, const FilmOptions& o
     metadata.dropped_nan_count = dropped.count(DroppedKind::nan);
     metadata.dropped_infinite_count = dropped.count(DroppedKind::infinite);
     metadata.dropped_negative_luminance_count = dropped.count(DroppedKind::negative_luminance);
+    metadata.faint_count = contents.counts.faint;
     metadata.firefly_control = firefly_text(contents, options);
 }
 

@@ -21,7 +21,8 @@ enum class FilterUse {
     splatted,            ///< places are uniform, and a sample goes into every pixel that the filter reaches
 };
 
-/// Sums of squares, for variances. 16 bytes a pixel for the luminance, 48 for X, Y and Z.
+/// Sums of squares, for variances. 16 bytes a pixel for the luminance, 48 for X, Y and Z; under filters with negative
+/// lobes 40 and 96.
 enum class FilmVariance { none, luminance, xyz };
 
 /// Further quantities of what a pixel shows, averaged by the filter: albedo, normal, depth, or any other by name.

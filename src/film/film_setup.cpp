@@ -35,7 +35,7 @@ FilmSetup::FilmSetup(const FilmOptions& film_options)
         max_luminance = max_luminance_of(*clamp, options.sensor);
     }
     if (const auto* const median = std::get_if<MedianOfMeans>(&options.firefly_control)) mean_groups = median->groups;
-    if (options.variance != FilmVariance::none) {
+    if (options.variance != FilmVariance::none && channels.squared_weights.size == 0) {
         mean_square_weight = options.filter_use == FilterUse::splatted
                                  ? footprint->mean_square_weight()
                                  : FilterSampler(options.filter).mean_square_weight();

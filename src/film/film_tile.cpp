@@ -94,7 +94,7 @@ void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     channels_.clear();
     group_ = 0;
-    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
+    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = faint_samples_ = 0;
     dropped_ = {};
     clamped_ = {};
 }
@@ -120,10 +120,18 @@ void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const 
     const XYZ value = share * sample.xyz;
     pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z),
                    static_cast<double>(weight));
-    ++clamped_.count;
-    add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    count_if_faint(sample.luminance);
+    if (share < 1.0f) {
+        ++clamped_.count;
+        add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    }
     carry_in_time(i);
     if (has_more_) add_more(i, value, weight);
+}
+
+template <class Sums>
+[[gnu::cold, gnu::noinline]] void BasicFilmTile<Sums>::count_unless_black(float luminance) noexcept {
+    if (luminance > 0.0f) ++faint_samples_;
 }
 
 template <class Sums>
@@ -135,22 +143,28 @@ void BasicFilmTile<Sums>::add_more(std::size_t i, XYZ value, float weight) noexc
 
 template <class Sums>
 void BasicFilmTile<Sums>::add_channels(std::size_t i, XYZ value, float weight) noexcept {
-    const auto w = static_cast<double>(weight);
-    const std::span<SquareSum> squares = channels_.squares(i);
-    if (squares.size() == 1) {
-        squares[0] += SquareSum(w * product(value.y, value.y));
-    } else if (squares.size() == 3) {
-        squares[0] += SquareSum(w * product(value.x, value.x));
-        squares[1] += SquareSum(w * product(value.y, value.y));
-        squares[2] += SquareSum(w * product(value.z, value.z));
-    }
+    add_squares(i, value, weight);
     if (mean_groups_ == 0) return;
     const int place = setup_->channels.means.begin + 4 * group_;
     const std::span<ExactSum> mean = channels_.sums(i).subspan(static_cast<std::size_t>(place), 4);
     add_to(mean[0], product(weight, value.x));
     add_to(mean[1], product(weight, value.y));
     add_to(mean[2], product(weight, value.z));
-    add_to(mean[3], w);
+    add_to(mean[3], static_cast<double>(weight));
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_squares(std::size_t i, XYZ value, float weight) noexcept {
+    const std::span<SquareSum> squares = channels_.squares(i);
+    const FilmChannels::Group& of_weights = setup_->channels.squared_weights;
+    const double w = of_weights.size > 0 ? product(weight, weight) : static_cast<double>(weight);
+    const std::array<float, 3> all = {value.x, value.y, value.z};
+    const std::span<const float> values = squares.size() == 1 ? std::span(all).subspan(1, 1) : std::span(all);
+    for (std::size_t k = 0; k < squares.size(); ++k) squares[k] += SquareSum(w * product(values[k], values[k]));
+    if (of_weights.size == 0) return;
+    const std::span<ExactSum> sums = channels_.sums(i).subspan(static_cast<std::size_t>(of_weights.begin));
+    for (std::size_t k = 0; k < squares.size(); ++k) add_to(sums[k], w * static_cast<double>(values[k]));
+    add_to(sums[squares.size()], w);
 }
 
 template <class Sums>
@@ -219,6 +233,7 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
             if (has_buckets_) add_buckets(i, sample, spectral, weight);
         });
     }
+    count_if_faint(sample.luminance);
     ++spread_samples_;
     carry_all_in_time();
 }
@@ -245,6 +260,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
                    density * coverage * radiance);
         });
     });
+    count_if_faint(sample.luminance);
     ++light_splats_;
 }
 

@@ -106,6 +106,8 @@ class BasicFilmTile {
     [[nodiscard]] std::uint64_t sample_count() const noexcept;
     [[nodiscard]] std::uint64_t light_splat_count() const noexcept { return light_splats_; }
     [[nodiscard]] const DroppedSamples& dropped() const noexcept { return dropped_; }
+    /// As FilmCounts::faint says; of sums that are not exact, none.
+    [[nodiscard]] std::uint64_t faint_count() const noexcept { return faint_samples_; }
     [[nodiscard]] std::uint64_t dropped_aux() const noexcept { return dropped_aux_; }
     [[nodiscard]] const ClampedSamples& clamped() const noexcept { return clamped_; }
 
@@ -113,7 +115,8 @@ class BasicFilmTile {
     /// A sample of one pixel, judged by this luminance.
     void accumulate(std::size_t i, int x, int y, XYZ value, float luminance, float weight) noexcept {
         // Products of floats cannot overflow a double: they are finite if, and only if, all four numbers are.
-        const bool usual = luminance >= 0.0f && luminance <= max_luminance_ &&
+        const bool usual = (luminance > Sums::kFaintLuminance_cdm2 || luminance == 0.0f) &&
+                           luminance <= max_luminance_ &&
                            pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y),
                                           static_cast<double>(value.z), static_cast<double>(weight));
         if (!usual) [[unlikely]]
@@ -133,7 +136,13 @@ class BasicFilmTile {
     /// Whether the sample counts, and how much of it; 0 if it is kept out.
     [[nodiscard]] static float kept_share(const SensorSample& sample, float max_luminance) noexcept;
     void accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample, float weight) noexcept;
+    void count_if_faint(float luminance) noexcept {
+        if (luminance <= Sums::kFaintLuminance_cdm2) [[unlikely]]
+            count_unless_black(luminance);
+    }
+    void count_unless_black(float luminance) noexcept;
     void add_channels(std::size_t i, XYZ value, float weight) noexcept;
+    void add_squares(std::size_t i, XYZ value, float weight) noexcept;
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
@@ -182,6 +191,7 @@ class BasicFilmTile {
     ChannelSums channels_;
     int group_ = 0;
     std::uint64_t since_carry_ = 0, spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
+    std::uint64_t faint_samples_ = 0;
     DroppedSamples dropped_;
     ClampedSamples clamped_;
     std::vector<float> x_weights_, y_weights_;  // of one sample

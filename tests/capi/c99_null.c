@@ -30,6 +30,8 @@ void test_null(void) {
     CHECK_NULL(emulsion_film_sample_count(film, NULL), "count");
     CHECK_NULL(emulsion_film_dropped_count(NULL, 0, &count), "film");
     CHECK_NULL(emulsion_film_dropped_count(film, 0, NULL), "count");
+    CHECK_NULL(emulsion_film_faint_count(NULL, &count), "film");
+    CHECK_NULL(emulsion_film_faint_count(film, NULL), "count");
     CHECK_NULL(emulsion_film_pixels_without_value(NULL, &count), "film");
     CHECK_NULL(emulsion_film_pixels_without_value(film, NULL), "count");
     CHECK_NULL(emulsion_film_saturated_pixels(NULL, &count), "film");

@@ -41,7 +41,7 @@ void test_dropped_samples(void) {
     emulsion_tile* tile = new_tile(film);
     const int32_t at[] = {0, 1, 2, 3};
     const float xyz[] = {NAN, 1, 1, 1, INFINITY, 1, 1, -1, 1, 1, 1, 1};
-    const float lambda_nm[] = {NAN}, one[] = {1};
+    const float lambda_nm[] = {NAN}, one[] = {1}, faint[] = {0, 1e-20f, 0, 0, 0, 0};
     uint64_t count = 9;
     CHECK(emulsion_tile_add_xyz(tile, 4, at, at, NULL, xyz) == EMULSION_OK);
     CHECK(emulsion_tile_add_spectral(tile, 1, at, at, NULL, 1, lambda_nm, one, one) == EMULSION_OK);
@@ -53,6 +53,10 @@ void test_dropped_samples(void) {
     CHECK_REFUSED(emulsion_film_dropped_count(film, 3, &count), EMULSION_INVALID_ARGUMENT, "kind is 3");
     CHECK_REFUSED(emulsion_film_dropped_count(film, -1, &count), EMULSION_INVALID_ARGUMENT, "kind is -1");
     CHECK(emulsion_film_sample_count(film, &count) == EMULSION_OK && count == 1);
+    CHECK(emulsion_film_faint_count(film, &count) == EMULSION_OK && count == 0);
+    CHECK(emulsion_tile_add_xyz(tile, 2, at, at, NULL, faint) == EMULSION_OK);
+    CHECK(emulsion_film_merge_tile(film, tile) == EMULSION_OK);
+    CHECK(emulsion_film_faint_count(film, &count) == EMULSION_OK && count == 1);
     emulsion_tile_destroy(tile);
     emulsion_film_destroy(film);
 }

@@ -49,6 +49,13 @@ TEST_F(Losses, SaturatedPixelsAreCounted) {
     EXPECT_THAT(result.err, HasSubstr("1200 pixels have left the range of the film's sums"));
 }
 
+TEST_F(Losses, SamplesTooFaintForTheSumsAreCounted) {
+    const ProgramResult result = render(sky("1e-25"), {"--spp", "4"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err,
+                HasSubstr("4800 of 4800 samples are too faint for the film's sums, at most 2.8e-14 cd/m^2"));
+}
+
 TEST_F(Losses, ValuesTooLargeForTheFileAreCounted) {
     const ProgramResult result = render(sky("1e9"), {"--half", "--spp", "4", "--wavelengths", "32"});
     EXPECT_EQ(result.exit_code, 0);
