@@ -14,6 +14,7 @@
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"
 #include "cli/pipeline_options.h"
+#include "cli/samples_text.h"
 #include "core/atomic_file.h"
 #include "film/film_state.h"
 
@@ -98,9 +99,10 @@ int MergeCommand::run(const std::string& command_line) const {
     const Image<XYZ> picture = write_film(options.output, state, exr);
     if (!options.png.empty()) develop_to_png(picture, options.pipeline, options.threads, options.png);
     if (options.quiet) return kDone;
-    print_output(fmt::format("{} film{}, {}x{} pixels, samples {}: {} of each pixel\nwrote {}\n", options.films.size(),
+    const SamplesTaken taken = samples_taken(state.provenance);
+    print_output(fmt::format("{} film{}, {}x{} pixels, {}: {} of each pixel\nwrote {}\n", options.films.size(),
                              options.films.size() == 1 ? "" : "s", picture.width(), picture.height(),
-                             to_text(state.provenance.samples), state.provenance.samples.count(),
+                             samples_text(state.provenance), count_text(taken.least, taken.most),
                              options.output.string()));
     if (!options.png.empty()) print_output(fmt::format("wrote {}\n", options.png.string()));
     return kDone;

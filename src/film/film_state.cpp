@@ -67,7 +67,7 @@ FilmOptions without_camera(FilmOptions options) {
 
 FilmState state_of(const Film& film, FilmProvenance provenance, FilmMetadata run) {
     FilmContents<ExactSums> contents = film.contents();
-    FilmMetadata metadata = metadata_of(contents, film.options(), std::move(run));
+    FilmMetadata metadata = metadata_of(contents, film.options(), provenance, std::move(run));
     return {without_camera(film.options()), to_text(film.options().sensor), std::move(contents), std::move(provenance),
             std::move(metadata)};
 }
@@ -85,7 +85,7 @@ void merge(FilmState& state, const FilmState& other) {
     require_size(other.contents, other.options);
     state.provenance.samples.add(other.provenance.samples);
     merge(state.contents, other.contents);
-    update_counts(state.contents, state.options, state.metadata);
+    update_counts(state.contents, state.options, state.provenance, state.metadata);
 }
 
 }  // namespace emulsion

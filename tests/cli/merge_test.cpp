@@ -100,6 +100,15 @@ TEST_F(MergeProgram, OneFilmAloneIsWrittenAnew) {
     EXPECT_EQ(read_exr(exr_).metadata.sample_count, 287u);
 }
 
+TEST_F(MergeProgram, SaysWhatAFilmThatWasStoppedHas) {
+    FilmState state = film_state(small_film(), 0, 3);
+    state.provenance.partial = PartialRound{{3, 8}, 4, {1, 0, 0, 1, 1, 0}};
+    write_film_state(a_, state);
+    const ProgramResult result = merge({a_, "-o", out_});
+    EXPECT_THAT(result.out, StartsWith("1 film, 12x8 pixels, samples 0-3 (and 3-8 in 3 of 6 tiles): 3 to 8 of each "
+                                       "pixel\n"));
+}
+
 TEST_F(MergeProgram, ThePngIsThatOfDevelop) {
     const std::string again = folder_.file("again.png");
     for (const char* compression : {"zip", "dwaa"}) {
