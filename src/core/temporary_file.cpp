@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -22,9 +23,9 @@ int link_as(const std::filesystem::path& path, const std::filesystem::path& name
 
 }  // namespace
 
-TemporaryFile::TemporaryFile(const std::filesystem::path& target, ::mode_t permissions, TemporaryName name,
+TemporaryFile::TemporaryFile(std::filesystem::path target, ::mode_t permissions, TemporaryName name,
                              const std::filesystem::path& named)
-    : target_(target) {
+    : target_(std::move(target)) {
     if (name == TemporaryName::none && create_without_name(permissions)) return;
     create_hidden(permissions, named);
 }

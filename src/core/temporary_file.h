@@ -20,7 +20,7 @@ class TemporaryFile {
     /// \param permissions as of open(): what the process's mask leaves of them
     /// \param named what errors name
     /// \throws IoError if the folder is missing or not writable.
-    TemporaryFile(const std::filesystem::path& target, ::mode_t permissions, TemporaryName name,
+    TemporaryFile(std::filesystem::path target, ::mode_t permissions, TemporaryName name,
                   const std::filesystem::path& named);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
