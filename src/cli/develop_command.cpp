@@ -7,6 +7,7 @@
 
 #include "cli/distinct_files.h"
 #include "cli/messages.h"
+#include "cli/option_checks.h"
 #include "cli/pipeline_options.h"
 #include "core/atomic_file.h"
 #include "film/exr_file.h"
@@ -27,10 +28,11 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     command_->add_option("EXR", options.exr, "Picture with channels X Y Z or R G B, as `emulsion render` writes it")
         ->required()
         ->option_text(" ");
-    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG [required]")->required()->option_text("FILE");
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG [required]")
+        ->required()
+        ->check(ends_in_png)
+        ->option_text("FILE");
+    add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] { require_distinct({{"EXR", options.exr}, {"--output", options.png}}); });

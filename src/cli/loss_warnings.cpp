@@ -39,8 +39,9 @@ void warn_of_losses(const FilmContents<ExactSums>& contents) {
     }
     if (const auto count = pixels_without_value(contents); count > 0) {
         print_warning(
-            fmt::format("{} of {} pixels have no value and are 0: no good samples, or filter weights that cancel; more "
-                        "samples help",
+            fmt::format("{} of {} pixels have no value and are 0: no good samples, or too little weight of the filter "
+                        "(less than 1/64 a "
+                        "sample in the mean); more samples help",
                         count, contents.pixels.size()));
     }
     if (const auto count = saturated_pixels(contents); count > 0) {

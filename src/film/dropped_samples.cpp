@@ -68,12 +68,12 @@ DroppedSamples DroppedSamples::restored(const std::array<std::uint64_t, 3>& coun
                                         std::span<const DroppedSample> first) {
     DroppedSamples dropped;
     for (const DroppedSample& sample : first) dropped.add(sample);
-    const bool fits = first.size() <= kReported &&
+    const bool fits = first.size() <= kReported && std::is_sorted(first.begin(), first.end(), is_before) &&
                       std::equal(dropped.counts_.begin(), dropped.counts_.end(), counts.begin(), std::less_equal<>());
     if (!fits) {
         throw std::invalid_argument("dropped samples: " + std::to_string(first.size()) +
                                     " are reported, expected at most " + std::to_string(kReported) +
-                                    ", and no more of a kind than are counted");
+                                    " in reading order, and no more of a kind than are counted");
     }
     dropped.counts_ = counts;
     return dropped;

@@ -43,7 +43,7 @@ class DroppedSamples {
     void merge(const DroppedSamples& other) noexcept;
 
     /// As another object reported it: for reading from files. At most kReported samples, in reading order.
-    /// \throws std::invalid_argument if there are more of them, or more than are counted.
+    /// \throws std::invalid_argument if there are more of them, in another order, or more of a kind than are counted.
     [[nodiscard]] static DroppedSamples restored(const std::array<std::uint64_t, 3>& counts,
                                                  std::span<const DroppedSample> first);
 

@@ -31,7 +31,7 @@ namespace emulsion {
 
 /// What the header says about the making of a picture. The attribute's name stands beside each field; all are strings.
 struct FilmMetadata {
-    std::int64_t samples_per_pixel = 0;  ///< the fewest of any pixel; "emulsion.samplesPerPixel"
+    std::int64_t samples_per_pixel = 0;  ///< taken of every pixel, at least; "emulsion.samplesPerPixel"
     std::uint64_t sample_count = 0;      ///< in all pixels; "emulsion.sampleCount"
     /// Samples kept out of the film, by kind (film/dropped_samples.h).
     std::uint64_t dropped_nan_count = 0;                 ///< "emulsion.droppedNanCount"

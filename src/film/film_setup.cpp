@@ -1,6 +1,5 @@
 #include "film/film_setup.h"
 
-#include "core/parameters.h"
 #include "film/filter_sampler.h"
 
 namespace emulsion {
@@ -14,9 +13,7 @@ const FilmOptions& validated(const FilmOptions& options) {
 
 /// What samples are compared with, in single precision: with the imaging ratio.
 float max_luminance_of(const LuminanceClamp& clamp, const SensorOptions& sensor) {
-    const double limit = static_cast<double>(clamp.max_luminance_cdm2) * imaging_ratio(sensor);
-    check_range(limit, {kMinImagingRatio, kMaxImagingRatio}, "film: firefly control clamp: luminance * imaging ratio");
-    return static_cast<float>(limit);
+    return static_cast<float>(static_cast<double>(clamp.max_luminance_cdm2) * imaging_ratio(sensor));
 }
 
 }  // namespace

@@ -103,20 +103,23 @@ TEST_F(InfoProgram, TellsAboutFilmStates) {
     write_film_state(state_, state, {.space = "sRGB", .pixel_type = PixelType::half});
     EXPECT_THAT(
         text_of(state_),
-        AllOf(HasSubstr("film state, "), HasSubstr("10x6 pixels, [2, 12) x [1, 7) of the frame [0, 12) x [0, 8)"),
-              HasSubstr("R G B, linear sRGB, 16-bit floats"), HasSubstr("white luminance  2 cd/m^2\n"),
-              HasSubstr("albedo (B G R), samples, standard-error (Y), variance (Y)\n"),
-              HasSubstr("2 to 3 of each pixel, 179 in all\n"),
-              HasSubstr("1 NaN, 0 infinite, 0 of negative luminance\n"), HasSubstr("  pixel (3, 2): XYZ ("),
-              HasSubstr("sample ranges    0-3,16-20\n"), HasSubstr("partial round    32-64, in 3 of 6 tiles\n"),
-              HasSubstr("scene            cafe0123\n"), HasSubstr("firefly control  none\n"),
-              HasSubstr("command line     render it\n")));
-    EXPECT_THAT(json_of(state_),
-                AllOf(HasSubstr("\"kind\": \"film state\""), HasSubstr("\"data_window\": [2, 1, 12, 7]"),
-                      HasSubstr("\"samples_per_pixel\": 2,"), HasSubstr("\"most_samples_per_pixel\": 3,"),
-                      HasSubstr("\"dropped\": {\"nan\": 1, \"infinite\": 0, \"negative_luminance\": 0}"),
-                      HasSubstr("\"sample_ranges\": [[0, 3], [16, 20]]"),
-                      HasSubstr("\"partial_round\": {\"begin\": 32, \"end\": 64, \"tiles\": 6, \"done\": 3}")));
+        AllOf(
+            HasSubstr("film state, "), HasSubstr("10x6 pixels, [2, 12) x [1, 7) of the frame [0, 12) x [0, 8)"),
+            HasSubstr("R G B, linear sRGB, 16-bit floats"), HasSubstr("white luminance  2 cd/m^2\n"),
+            HasSubstr("albedo (B G R), samples, standard-error (Y), variance (Y)\n"),
+            HasSubstr("samples          7 to 39 of each pixel, 179 in all\n                 2 to 3 reach each pixel\n"),
+            HasSubstr("1 NaN, 0 infinite, 0 of negative luminance\n"), HasSubstr("  pixel (3, 2): XYZ ("),
+            HasSubstr("sample ranges    0-3,16-20\n"), HasSubstr("partial round    32-64, in 3 of 6 tiles\n"),
+            HasSubstr("scene            cafe0123\n"), HasSubstr("firefly control  none\n"),
+            HasSubstr("command line     render it\n")));
+    EXPECT_THAT(
+        json_of(state_),
+        AllOf(HasSubstr("\"kind\": \"film state\""), HasSubstr("\"data_window\": [2, 1, 12, 7]"),
+              HasSubstr("\"samples_per_pixel\": 3,"), HasSubstr("\"most_samples_per_pixel\": 39,"),
+              HasSubstr("\"fewest_samples_reaching_a_pixel\": 2,"), HasSubstr("\"most_samples_reaching_a_pixel\": 3,"),
+              HasSubstr("\"dropped\": {\"nan\": 1, \"infinite\": 0, \"negative_luminance\": 0}"),
+              HasSubstr("\"sample_ranges\": [[0, 3], [16, 20]]"),
+              HasSubstr("\"partial_round\": {\"begin\": 32, \"end\": 64, \"tiles\": 6, \"done\": 3}")));
 }
 
 TEST_F(InfoProgram, TellsAboutFilmPictures) {

@@ -41,6 +41,11 @@ TEST_F(Losses, PixelsWithoutAValueAreCounted) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, ContainsRegex("emulsion: warning: [1-9][0-9]* of 1200 pixels have no value"));
     EXPECT_EQ(render(sky("1"), {"--spp", "1"}).err, "");
+    // No weight of a Gaussian cancels another, but one sample at its rim has next to none.
+    const ProgramResult rim =
+        render(sky("1"), {"--spp", "1", "--splat", "--filter", "gaussian:x-radius=0.5,y-radius=0.5,sigma=0.1"});
+    EXPECT_THAT(rim.err, ContainsRegex("[1-9][0-9]* of 1200 pixels have no value and are 0: no good samples, or too "
+                                       "little weight of the filter"));
 }
 
 TEST_F(Losses, SaturatedPixelsAreCounted) {

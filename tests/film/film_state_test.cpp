@@ -162,7 +162,7 @@ TEST_F(FilmStateFile, MetadataFollowsFromTheFilm) {
     const FilmState state = state_with(every_film()[1].options, 0, 5);
     const FilmCounts& counts = state.contents.counts;
     EXPECT_EQ(state.metadata.sample_count, counts.samples);
-    EXPECT_EQ(state.metadata.samples_per_pixel, min_samples_per_pixel(state.contents));
+    EXPECT_EQ(state.metadata.samples_per_pixel, 5);
     EXPECT_EQ(state.metadata.dropped_nan_count, counts.dropped.count(DroppedKind::nan));
     EXPECT_EQ(state.metadata.faint_count, counts.faint);
     EXPECT_EQ(state.metadata.seed, 7u);
