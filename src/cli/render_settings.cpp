@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "cli/option_checks.h"
-#include "cli/render_values.h"
 #include "film/camera_response.h"
 #include "film/sensor_options.h"
 #include "pathtracer/sample_sequence.h"
@@ -51,10 +50,11 @@ FilmOptions film_options(const RenderSettings& settings, const Scene& scene) {
     options.spectrum = settings.spectrum;
     options.aux = settings.aux;
     options.firefly_control = settings.firefly_control;
-    // The scene's exposure decides, too.
-    check_option("--firefly",
-                 FilmOptions{.sensor = {.exposure_time_s = options.sensor.exposure_time_s, .iso = options.sensor.iso},
-                             .firefly_control = options.firefly_control});
+    try {
+        validate_clamp(options);  // the scene's exposure decides, too
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--firefly", error.what());
+    }
     return options;
 }
 

@@ -58,6 +58,9 @@ struct FilmOptions {
 
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const FilmOptions& options);
+/// The same for what a LuminanceClamp and the sensor's exposure are together; not part of validate(), since options
+/// that are read from a text have their sensor elsewhere. A film's constructor asks both.
+void validate_clamp(const FilmOptions& options);
 
 /// All options but the size, the crop window and the sensor, for people and for files: "filter=box:x-radius=0.5,...
 /// filter-use=importance-sampled variance=none ...".

@@ -8,6 +8,7 @@ namespace {
 
 const FilmOptions& validated(const FilmOptions& options) {
     validate(options);
+    validate_clamp(options);
     return options;
 }
 
