@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -68,15 +70,16 @@ template <class Sums>
 BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup)
     : places_(places),
       bounds_(pixels_reached(places, *checked(setup, places))),
-      least_x_px_(static_cast<float>(places.x0)),
-      least_y_px_(static_cast<float>(places.y0)),
-      most_x_px_(static_cast<float>(places.x1)),
-      most_y_px_(static_cast<float>(places.y1)),
+      least_places_{static_cast<float>(places.x0), static_cast<float>(places.y0), -static_cast<float>(places.x1),
+                    -static_cast<float>(places.y1)},
       width_(bounds_.width()),
       first_(bounds_.y0 * width_ + bounds_.x0),
       setup_(std::move(setup)),
       sensor_(&setup_->sensor),
       footprint_(setup_->footprint ? &*setup_->footprint : nullptr),
+      plain_footprint_(nullptr),
+      least_usual_{},
+      most_usual_{},
       max_luminance_(setup_->max_luminance),
       has_channels_(setup_->channels.squares > 0 || setup_->mean_groups > 0),
       has_buckets_(setup_->channels.buckets.size > 0),
@@ -85,6 +88,10 @@ BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const Fil
       pixels_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
     if (!footprint_) return;
+    plain_footprint_ = has_channels_ || has_buckets_ ? nullptr : footprint_;
+    constexpr float kMost = std::numeric_limits<float>::max();
+    least_usual_ = Float4{-kMost, -kMost, -kMost, 0.0f};
+    most_usual_ = Float4{kMost, kMost, kMost, std::min(max_luminance_, kMost)};
     x_weights_.resize(footprint_->room(FilterAxis::x));
     y_weights_.resize(footprint_->room(FilterAxis::y));
 }
@@ -196,6 +203,34 @@ template <class Sums>
 void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sample,
                                  const SpectralSample& spectral) noexcept {
     assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
+    if (!spread_quickly(x_px, y_px, sample)) [[unlikely]]
+        spread_any(x_px, y_px, sample, spectral);
+}
+
+template <class Sums>
+bool BasicFilmTile<Sums>::spread_quickly(float x_px, float y_px, const SensorSample& sample) noexcept {
+    if constexpr (requires { &Pixel::add_four_by_four; }) {
+        const auto numbers = std::bit_cast<Float4>(sample);
+        if (!plain_footprint_ || !has_place(x_px, y_px)) return false;
+        if (!all((numbers >= least_usual_) & (numbers <= most_usual_))) return false;
+        const auto block = plain_footprint_->four_by_four(x_px, y_px);
+        if (!block || block->x_px < bounds_.x0 || block->x_px + 4 > bounds_.x1 || block->y_px < bounds_.y0 ||
+            block->y_px + 4 > bounds_.y1) {
+            return false;
+        }
+        Pixel::add_four_by_four(&pixels_[index(block->x_px, block->y_px)], width_, block->x_weights, block->y_weights,
+                                numbers);
+        spread_touches_ += 16;
+        ++spread_samples_;
+        carry_all_in_time();
+        return true;
+    }
+    return false;
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::spread_any(float x_px, float y_px, const SensorSample& sample,
+                                     const SpectralSample& spectral) noexcept {
     if (!footprint_ || !has_place(x_px, y_px)) return;
     const float share = kept_share(sample, max_luminance_);
     if (share == 0.0f) {
