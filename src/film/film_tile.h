@@ -16,6 +16,7 @@
 #include "film/film_setup.h"
 #include "film/film_sums.h"
 #include "film/spectral_buckets.h"
+#include "film/splat_block.h"
 #include "film/vectors.h"
 #include "spectrum/sampled_spectrum.h"
 
@@ -144,15 +145,6 @@ class BasicFilmTile {
     [[gnu::noinline]] void spread_any(float x_px, float y_px, const SensorSample& sample,
                                       const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
-    /// Pixels of the tile that the filter reaches from a place, and their weights along both axes.
-    struct Block {
-        std::size_t first = 0;
-        std::span<const float> x_weights = {}, y_weights = {};  // in x_weights_ and y_weights_
-    };
-    [[nodiscard]] Block block_reached(float x_px, float y_px) noexcept;
-    /// Calls visit(pixel, weight) for each of them.
-    template <class Visit>
-    void for_each_pixel(const Block& block, const Visit& visit) noexcept;
     [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept {
         return all(Float4{x_px, y_px, -x_px, -y_px} >= least_places_);
     }
@@ -180,9 +172,9 @@ class BasicFilmTile {
     std::shared_ptr<const FilmSetup> setup_;
     // Of the setup, at hand for every sample.
     const Sensor* sensor_;
-    const FilterFootprint* footprint_;        // null if nothing is splatted
-    const FilterFootprint* plain_footprint_;  // and if samples fill more than their pixels' sums
-    Float4 least_usual_, most_usual_;         // X, Y, Z and luminance of samples that count, and wholly
+    const FilterFootprint* footprint_;                  // null if nothing is splatted
+    const FilterFootprint* plain_footprint_ = nullptr;  // and if samples fill more than their pixels' sums
+    Float4 least_usual_{}, most_usual_{};               // X, Y, Z and luminance of samples that count, and wholly
     float max_luminance_;
     bool has_channels_, has_buckets_, has_more_;
     int mean_groups_;
@@ -193,7 +185,7 @@ class BasicFilmTile {
     std::uint64_t since_carry_ = 0, spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
     DroppedSamples dropped_;
     ClampedSamples clamped_;
-    std::vector<float> x_weights_, y_weights_;  // of one sample
+    WeightRoom weight_room_;
 };
 
 extern template class BasicFilmTile<ExactSums>;
