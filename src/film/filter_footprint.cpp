@@ -27,17 +27,22 @@ double mean_weight_scale(const Filter& filter, FilterAxis axis) {
     return points / sum;
 }
 
-}  // namespace
-
-FilterFootprint::FilterFootprint(const Filter& filter) : filter_(filter) {
+const Filter& checked(const Filter& filter) {
     validate(filter);
     for (const FilterAxis axis : {FilterAxis::x, FilterAxis::y}) {
-        check_range(radius_px(filter, axis), {0.0, kMostRadius_px, RangeEnd::open}, "filter for splatting: radius");
+        check_range(radius_px(filter, axis), {0.0, FilterFootprint::kMostRadius_px, RangeEnd::open},
+                    "filter for splatting: radius");
     }
-    x_ = make_table(FilterAxis::x);
-    y_ = make_table(FilterAxis::y);
-    cells_per_px_ = Float4{x_.cells_per_px, y_.cells_per_px, 0.0f, 0.0f};
+    return filter;
 }
+
+}  // namespace
+
+FilterFootprint::FilterFootprint(const Filter& filter)
+    : filter_(checked(filter)),
+      x_(make_table(FilterAxis::x)),
+      y_(make_table(FilterAxis::y)),
+      cells_per_px_{x_.cells_per_px, y_.cells_per_px, 0.0f, 0.0f} {}
 
 FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     AxisTable table;
