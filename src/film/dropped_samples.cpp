@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
@@ -33,6 +34,14 @@ const char* name_of(DroppedKind kind) noexcept {
 }
 
 }  // namespace
+
+DroppedKind kind_of_dropped(std::span<const float> numbers) noexcept {
+    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isnan(v); })) return DroppedKind::nan;
+    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {
+        return DroppedKind::infinite;
+    }
+    return DroppedKind::negative_luminance;
+}
 
 std::string to_string(const DroppedSample& sample) {
     std::ostringstream text;

@@ -15,6 +15,9 @@ namespace emulsion {
 /// below 0 (before the weight, which may well be negative).
 enum class DroppedKind { nan, infinite, negative_luminance };
 
+/// Of a sample that is kept out, by all of its numbers.
+[[nodiscard]] DroppedKind kind_of_dropped(std::span<const float> numbers) noexcept;
+
 struct DroppedSample {
     int x_px = 0, y_px = 0;  ///< the pixel, in the film's coordinates
     DroppedKind kind = DroppedKind::nan;
