@@ -55,7 +55,7 @@ emulsion::ExrWriteResult write(const emulsion::Film& film, const char* path, con
     emulsion::FilmPicture picture;
     film.with_contents([&](const emulsion::FilmContents<emulsion::ExactSums>& contents) {
         picture = picture_of(contents, film.setup());
-        metadata = metadata_of(contents, film.options(), std::move(metadata));
+        metadata = metadata_of(contents, film.options(), {}, std::move(metadata));
     });
     return write_exr(path, picture, metadata, options);
 }
