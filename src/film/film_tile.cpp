@@ -188,6 +188,7 @@ bool BasicFilmTile<Sums>::spread_quickly(float x_px, float y_px, const SensorSam
         if (!bounds_.contains(block->x_px + 3, block->y_px + 3)) return false;
         Pixel::add_four_by_four(&pixels_[index(block->x_px, block->y_px)], width_, block->x_weights, block->y_weights,
                                 numbers);
+        count_if_faint(sample.luminance);
         spread_touches_ += 16;
         ++spread_samples_;
         carry_all_in_time();
