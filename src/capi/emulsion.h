@@ -66,18 +66,36 @@ typedef enum emulsion_filter_use {
     EMULSION_SPLATTED = 1            /* places are uniform, and a sample goes into all pixels in reach: _add_at_ */
 } emulsion_filter_use;
 
-/* New fields come at the end. Let emulsion_film_options_init set all of them before you set yours. */
+/* What a film gathers for variances and standard errors. */
+typedef enum emulsion_variance {
+    EMULSION_VARIANCE_NONE = 0,
+    EMULSION_VARIANCE_LUMINANCE = 1, /* of Y */
+    EMULSION_VARIANCE_XYZ = 2        /* of X, Y and Z, each by itself */
+} emulsion_variance;
+
+/* New fields come at the end. Let emulsion_film_options_init set all of them before you set yours. Strings are only
+ * read by emulsion_film_create. What is optional costs nothing where it is left out, and is in the EXR where it is not.
+ */
 typedef struct emulsion_film_options {
-    size_t size;            /* of this struct, as the caller was compiled */
-    int32_t width_px;       /* in [1, 65536]; 1280 */
-    int32_t height_px;      /* in [1, 65536]; 720 */
-    double exposure_time_s; /* > 0; 1 */
-    double iso;             /* > 0; 100 */
-    const char* observer;   /* whose XYZ the film holds; "cie_1931_2deg". Only read by emulsion_film_create */
-    emulsion_rect crop;     /* the pixels that there are, in the full frame's coordinates; all 0: the full frame */
-    const char* filter;     /* "box", or any other with its parameters: "gaussian:x-radius=2,y-radius=2" */
-    int32_t filter_use;     /* an emulsion_filter_use; EMULSION_IMPORTANCE_SAMPLED */
-    int32_t light_splats;   /* 1: takes what light tracers send, beside camera samples; 0 */
+    size_t size;                 /* of this struct, as the caller was compiled */
+    int32_t width_px;            /* in [1, 65536]; 1280 */
+    int32_t height_px;           /* in [1, 65536]; 720 */
+    double exposure_time_s;      /* > 0; 1 */
+    double iso;                  /* > 0; 100 */
+    const char* observer;        /* whose XYZ the film holds; "cie_1931_2deg" */
+    emulsion_rect crop;          /* the pixels that there are, in the full frame's coordinates; all 0: the full frame */
+    const char* filter;          /* "box", or any other with its parameters: "gaussian:x-radius=2,y-radius=2" */
+    int32_t filter_use;          /* an emulsion_filter_use; EMULSION_IMPORTANCE_SAMPLED */
+    int32_t light_splats;        /* 1: takes what light tracers send, beside camera samples; 0 */
+    int32_t variance;            /* an emulsion_variance; EMULSION_VARIANCE_NONE */
+    int32_t spectrum_count;      /* buckets of wavelengths, of equal width; in [1, 1024], or 0: no spectrum; 0 */
+    double spectrum_min_nm;      /* in [100, spectrum_max_nm); 380 */
+    double spectrum_max_nm;      /* at most 1000; 780 */
+    const char* aux;             /* auxiliary layers, each with its components; albedo, normal and depth know theirs:
+                                    "albedo,normal,depth,roughness:value,motion:x+y"; "none" */
+    const char* firefly_control; /* "clamp:luminance=1000", in cd/m^2 before the imaging ratio: samples are scaled down
+                                    to it; or "median-of-means:groups=5", which needs emulsion_tile_set_sample_index.
+                                    Biased, as the EXR's header tells; "none" */
 } emulsion_film_options;
 
 /* The defaults. size: sizeof(emulsion_film_options). */
@@ -110,6 +128,10 @@ emulsion_status emulsion_tile_destroy(emulsion_tile* tile);
 emulsion_status emulsion_tile_clear(emulsion_tile* tile);
 /* The pixels that the tile holds. */
 emulsion_status emulsion_tile_bounds(const emulsion_tile* tile, emulsion_rect* bounds);
+
+/* The number, in its pixel, of the samples that come next, from 0 on: the groups of median-of-means take turns by it. A
+ * batch is then to have one sample of each pixel. For other films it is not needed. 0 in a new or a cleared tile. */
+emulsion_status emulsion_tile_set_sample_index(emulsion_tile* tile, uint64_t index);
 
 /* Batches of camera samples: `count` of them, the i-th at the pixel x_px[i], y_px[i], which must be one of the tile's,
  * with weight[i]. For films whose filter_use is EMULSION_IMPORTANCE_SAMPLED. Weights are signed, and of mean 1: those
@@ -144,6 +166,14 @@ emulsion_status emulsion_tile_add_at_xyz(emulsion_tile* tile, size_t count, cons
 emulsion_status emulsion_tile_add_at_rgb(emulsion_tile* tile, size_t count, const float* x_px, const float* y_px,
                                          const char* space, const float* rgb);
 
+/* What camera samples see of an auxiliary layer, by its name; beside the samples themselves, at their pixels and with
+ * their weights, or at their places. values: as many numbers to a sample as the layer has components, those of one
+ * sample side by side. Leave samples out that see nothing. Values that are not finite are kept out, and counted. */
+emulsion_status emulsion_tile_add_aux(emulsion_tile* tile, size_t count, const int32_t* x_px, const int32_t* y_px,
+                                      const float* weight, const char* layer, const float* values);
+emulsion_status emulsion_tile_add_aux_at(emulsion_tile* tile, size_t count, const float* x_px, const float* y_px,
+                                         const char* layer, const float* values);
+
 /* What paths of a light tracer send to places of the film, for films with light_splats. The mean, over paths, of the
  * sum of the values that arrive in a region is the integral of the picture over it, in pixels: values are radiance, or
  * XYZ, times an area in pixels. Places outside the tile are ignored, as most paths miss the film. Tell the film the
@@ -168,6 +198,14 @@ typedef enum emulsion_dropped_kind {
 /* kind: an emulsion_dropped_kind. */
 emulsion_status emulsion_film_dropped_count(const emulsion_film* film, int32_t kind, uint64_t* count);
 
+/* Samples of auxiliary layers that were kept out, for a value or a weight that is not finite. */
+emulsion_status emulsion_film_dropped_aux_count(const emulsion_film* film, uint64_t* count);
+/* Samples that firefly control has scaled down. */
+emulsion_status emulsion_film_clamped_count(const emulsion_film* film, uint64_t* count);
+/* Samples whose luminance is above 0 and at most half of the resolution of the film's sums, 2.8e-14 in the film's
+ * units: they were added, as what they round to. */
+emulsion_status emulsion_film_faint_count(const emulsion_film* film, uint64_t* count);
+
 /* Pixels that have no samples, or whose weights cancel: their value is 0. */
 emulsion_status emulsion_film_pixels_without_value(const emulsion_film* film, uint64_t* count);
 /* Pixels that have left the range of the film's sums: their value is wrong. */
@@ -178,6 +216,26 @@ emulsion_status emulsion_film_saturated_pixels(const emulsion_film* film, uint64
 emulsion_status emulsion_film_read_xyz(const emulsion_film* film, float* xyz, size_t length);
 /* All pixels as linear RGB of the space of that name: (1, 1, 1) is its white with Y = 1 in the film's units. */
 emulsion_status emulsion_film_read_rgb(const emulsion_film* film, const char* space, float* rgb, size_t length);
+
+/* The layers, for films whose options ask for them. length: of the array, in numbers; so many for each pixel of the
+ * film's bounds, those of one pixel side by side. */
+
+/* Samples that reach the pixel, without the dropped ones: 1 number; of every film. */
+emulsion_status emulsion_film_read_sample_counts(const emulsion_film* film, uint32_t* counts, size_t length);
+
+/* Of samples under the filter, squares of the film's units: 1 number of EMULSION_VARIANCE_LUMINANCE, Y, or 3 of
+ * EMULSION_VARIANCE_XYZ. 0 for pixels of fewer than two samples. */
+emulsion_status emulsion_film_read_variance(const emulsion_film* film, float* variance, size_t length);
+/* Of the pixel, in the film's units; as many. For samples that are independent: stratified ones do better. */
+emulsion_status emulsion_film_read_standard_error(const emulsion_film* film, float* standard_error, size_t length);
+
+/* Mean radiance in each bucket, W m^-2 sr^-1 nm^-1, without the imaging ratio; spectrum_count numbers, from
+ * spectrum_min_nm on. 0 where no sample has reached a bucket. A film with light splats must know its light paths. */
+emulsion_status emulsion_film_read_spectrum(const emulsion_film* film, float* radiance, size_t length);
+
+/* The auxiliary layer of that name, as the weighted mean of the samples that see something of it; as many numbers as it
+ * has components. 0 where fewer than one sample in 64 does. */
+emulsion_status emulsion_film_read_aux(const emulsion_film* film, const char* layer, float* values, size_t length);
 
 /* ---- Files ---- */
 
@@ -195,10 +253,11 @@ typedef struct emulsion_exr_options {
 /* The defaults. size: sizeof(emulsion_exr_options). */
 emulsion_status emulsion_exr_options_init(emulsion_exr_options* options, size_t size);
 
-/* Writes a scene-referred EXR; its header's whiteLuminance is what 1 in the film's units stands for, in cd/m^2. The
- * file appears whole or not at all. options: NULL for the defaults. lost_values: NULL, or where to put the number of
- * channel values that the file could not hold as they were: halves beyond 65504 are stored as that, those near 0 as 0.
- */
+/* Writes a scene-referred EXR; its header's whiteLuminance is what 1 in the film's units stands for, in cd/m^2. Layers
+ * that the film has are channels beside the picture: samples, variance.Y, standard-error.Y, albedo.R, S0.550,938nm, ...
+ * The file appears whole or not at all. options: NULL for the defaults. lost_values: NULL, or where to put the number
+ * of channel values that the file could not hold as they were: halves beyond 65504 are stored as that, those near 0 as
+ * 0. */
 emulsion_status emulsion_film_write_exr(const emulsion_film* film, const char* path,
                                         const emulsion_exr_options* options, uint64_t* lost_values);
 

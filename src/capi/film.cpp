@@ -8,57 +8,17 @@
 #include <string>
 
 #include "capi/emulsion.h"
+#include "capi/film_options.h"
 #include "capi/handles.h"
 #include "capi/sized_struct.h"
 #include "capi/status.h"
-#include "core/named_value.h"
 
 namespace {
 
+using emulsion::capi::default_film_options;
 using emulsion::capi::dereference;
+using emulsion::capi::film_options;
 using emulsion::capi::guarded;
-
-emulsion_film_options default_film_options() {
-    const emulsion::FilmOptions film;
-    emulsion_film_options options{};
-    options.size = sizeof options;
-    options.width_px = film.width_px;
-    options.height_px = film.height_px;
-    options.exposure_time_s = film.sensor.exposure_time_s;
-    options.iso = film.sensor.iso;
-    options.observer = "cie_1931_2deg";
-    options.filter = "box";
-    options.filter_use = EMULSION_IMPORTANCE_SAMPLED;
-    return options;
-}
-
-emulsion::FilterUse filter_use(std::int32_t number) {
-    if (number == EMULSION_IMPORTANCE_SAMPLED) return emulsion::FilterUse::importance_sampled;
-    if (number == EMULSION_SPLATTED) return emulsion::FilterUse::splatted;
-    throw std::invalid_argument("film options: filter_use is " + std::to_string(number) +
-                                ", expected an emulsion_filter_use");
-}
-
-emulsion::FilmOptions film_options(const emulsion_film_options& given) {
-    const emulsion_film_options options = emulsion::capi::complete(given, default_film_options(), "film options");
-    emulsion::FilmOptions film;
-    film.width_px = options.width_px;
-    film.height_px = options.height_px;
-    film.sensor.exposure_time_s = options.exposure_time_s;
-    film.sensor.iso = options.iso;
-    film.sensor.observer = &dereference(options.observer, "film options: observer");
-    const emulsion::PixelBounds crop{options.crop.x0, options.crop.y0, options.crop.x1, options.crop.y1};
-    if (crop != emulsion::PixelBounds{}) film.crop = crop;
-    film.filter =
-        emulsion::parse_named<emulsion::Filter>(&dereference(options.filter, "film options: filter"), "filter");
-    film.filter_use = filter_use(options.filter_use);
-    if (options.light_splats != 0 && options.light_splats != 1) {
-        throw std::invalid_argument("film options: light_splats is " + std::to_string(options.light_splats) +
-                                    ", expected 0 or 1");
-    }
-    film.light_splats = options.light_splats == 1;
-    return film;
-}
 
 }  // namespace
 
@@ -120,6 +80,14 @@ emulsion_status emulsion_film_dropped_count(const emulsion_film* film, int32_t k
         }
         dereference(count, "count") = dereference(film, "film").film.dropped().count(kKinds[number]);
     });
+}
+
+emulsion_status emulsion_film_clamped_count(const emulsion_film* film, uint64_t* count) {
+    return guarded([&] { dereference(count, "count") = dereference(film, "film").film.counts().clamped.count; });
+}
+
+emulsion_status emulsion_film_faint_count(const emulsion_film* film, uint64_t* count) {
+    return guarded([&] { dereference(count, "count") = dereference(film, "film").film.counts().faint; });
 }
 
 emulsion_status emulsion_film_pixels_without_value(const emulsion_film* film, uint64_t* count) {

@@ -11,9 +11,5 @@ struct emulsion_film {
 
 struct emulsion_tile {
     emulsion::FilmTile tile;
-    // Of its film
-    double imaging_ratio = 1.0;
-    emulsion::FilterUse filter_use = emulsion::FilterUse::importance_sampled;
-    bool light_splats = false;
 };
 // NOLINTEND(readability-identifier-naming)

@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <stdexcept>
-#include <string>
 
+#include "capi/batch_arrays.h"
 #include "capi/emulsion.h"
 #include "capi/handles.h"
 #include "capi/status.h"
@@ -22,31 +21,12 @@ static_assert(EMULSION_MAX_WAVELENGTHS == emulsion::kMostBatchWavelengths);
 namespace {
 
 using emulsion::XYZ;
+using emulsion::capi::array;
 using emulsion::capi::dereference;
 using emulsion::capi::guarded;
-
-/// `count` samples of `per_sample` numbers each. \throws std::invalid_argument naming an array that is NULL.
-template <class T>
-std::span<const T> array(const T* numbers, std::size_t count, std::size_t per_sample, const char* name) {
-    if (count == 0) return {};
-    dereference(numbers, name);
-    if (per_sample > std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / count) {
-        throw std::invalid_argument(std::string(name) + ": " + std::to_string(count) + " times " +
-                                    std::to_string(per_sample) + " numbers, which is more than memory can hold");
-    }
-    return {numbers, count * per_sample};
-}
-
-emulsion::BatchPixels pixels(std::size_t count, const std::int32_t* x_px, const std::int32_t* y_px,
-                             const float* weight) {
-    emulsion::BatchPixels to{array(x_px, count, 1, "x_px"), array(y_px, count, 1, "y_px"), {}};
-    if (weight != nullptr) to.weight = array(weight, count, 1, "weight");
-    return to;
-}
-
-emulsion::BatchPlaces places(std::size_t count, const float* x_px, const float* y_px) {
-    return {array(x_px, count, 1, "x_px"), array(y_px, count, 1, "y_px")};
-}
+using emulsion::capi::pixels;
+using emulsion::capi::places;
+using emulsion::capi::tile_for;
 
 emulsion::BatchRadiance spectra(std::size_t count, std::size_t wavelengths, const float* lambda_nm,
                                 const float* radiance, const float* pdf_per_nm) {
@@ -62,20 +42,13 @@ auto xyz_of(const emulsion::RgbInput& input, std::span<const float> rgb) {
     return [&input, rgb](std::size_t i) noexcept { return input.to_xyz({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}); };
 }
 
-emulsion::RgbInput rgb_input(const emulsion_tile& tile, const char* space) {
-    return emulsion::RgbInput(emulsion::rgb_space(&dereference(space, "space")), tile.imaging_ratio);
+emulsion::RgbInput rgb_input(const emulsion::FilmTile& tile, const char* space) {
+    return emulsion::RgbInput(emulsion::rgb_space(&dereference(space, "space")), tile.setup().sensor.imaging_ratio());
 }
 
-/// The tile, if its film takes camera samples that way.
-emulsion_tile& tile_for(emulsion_tile* tile, emulsion::FilterUse use) {
-    if (dereference(tile, "tile").filter_use == use) return *tile;
-    throw std::invalid_argument(use == emulsion::FilterUse::splatted
-                                    ? "the film's filter_use is importance_sampled: its samples belong to pixels"
-                                    : "the film's filter_use is splatted: its samples have places, not pixels");
-}
-
-emulsion_tile& tile_for_splats(emulsion_tile* tile) {
-    if (dereference(tile, "tile").light_splats) return *tile;
+emulsion::FilmTile& tile_for_splats(emulsion_tile* tile) {
+    emulsion::FilmTile& to = dereference(tile, "tile").tile;
+    if (to.setup().options.light_splats) return to;
     throw std::invalid_argument("the film was made without light_splats");
 }
 
@@ -87,8 +60,7 @@ emulsion_status emulsion_tile_create(const emulsion_film* film, emulsion_rect pl
     return guarded([&] {
         emulsion_tile*& to = dereference(tile, "tile");
         const emulsion::Film& of = dereference(film, "film").film;
-        to = new emulsion_tile{of.make_tile({places.x0, places.y0, places.x1, places.y1}), of.sensor().imaging_ratio(),
-                               of.options().filter_use, of.options().light_splats};
+        to = new emulsion_tile{of.make_tile({places.x0, places.y0, places.x1, places.y1})};
     });
 }
 
@@ -99,6 +71,10 @@ emulsion_status emulsion_tile_destroy(emulsion_tile* tile) {
 
 emulsion_status emulsion_tile_clear(emulsion_tile* tile) {
     return guarded([&] { dereference(tile, "tile").tile.clear(); });
+}
+
+emulsion_status emulsion_tile_set_sample_index(emulsion_tile* tile, uint64_t index) {
+    return guarded([&] { dereference(tile, "tile").tile.set_sample_index(index); });
 }
 
 emulsion_status emulsion_tile_bounds(const emulsion_tile* tile, emulsion_rect* bounds) {
@@ -112,7 +88,7 @@ emulsion_status emulsion_tile_add_spectral(emulsion_tile* tile, size_t count, co
                                            const float* weight, size_t wavelengths, const float* lambda_nm,
                                            const float* radiance, const float* pdf_per_nm) {
     return guarded([&] {
-        add_batch(tile_for(tile, kSampled).tile, pixels(count, x_px, y_px, weight),
+        add_batch(tile_for(tile, kSampled), pixels(count, x_px, y_px, weight),
                   spectra(count, wavelengths, lambda_nm, radiance, pdf_per_nm));
     });
 }
@@ -120,17 +96,16 @@ emulsion_status emulsion_tile_add_spectral(emulsion_tile* tile, size_t count, co
 emulsion_status emulsion_tile_add_xyz(emulsion_tile* tile, size_t count, const int32_t* x_px, const int32_t* y_px,
                                       const float* weight, const float* xyz) {
     return guarded([&] {
-        add_batch(tile_for(tile, kSampled).tile, pixels(count, x_px, y_px, weight),
-                  xyz_of(array(xyz, count, 3, "xyz")));
+        add_batch(tile_for(tile, kSampled), pixels(count, x_px, y_px, weight), xyz_of(array(xyz, count, 3, "xyz")));
     });
 }
 
 emulsion_status emulsion_tile_add_rgb(emulsion_tile* tile, size_t count, const int32_t* x_px, const int32_t* y_px,
                                       const float* weight, const char* space, const float* rgb) {
     return guarded([&] {
-        emulsion_tile& to = tile_for(tile, kSampled);
+        emulsion::FilmTile& to = tile_for(tile, kSampled);
         const emulsion::RgbInput input = rgb_input(to, space);
-        add_batch(to.tile, pixels(count, x_px, y_px, weight), xyz_of(input, array(rgb, count, 3, "rgb")));
+        add_batch(to, pixels(count, x_px, y_px, weight), xyz_of(input, array(rgb, count, 3, "rgb")));
     });
 }
 
@@ -138,7 +113,7 @@ emulsion_status emulsion_tile_add_at_spectral(emulsion_tile* tile, size_t count,
                                               size_t wavelengths, const float* lambda_nm, const float* radiance,
                                               const float* pdf_per_nm) {
     return guarded([&] {
-        add_batch_at(tile_for(tile, kSplatted).tile, places(count, x_px, y_px),
+        add_batch_at(tile_for(tile, kSplatted), places(count, x_px, y_px),
                      spectra(count, wavelengths, lambda_nm, radiance, pdf_per_nm));
     });
 }
@@ -146,16 +121,16 @@ emulsion_status emulsion_tile_add_at_spectral(emulsion_tile* tile, size_t count,
 emulsion_status emulsion_tile_add_at_xyz(emulsion_tile* tile, size_t count, const float* x_px, const float* y_px,
                                          const float* xyz) {
     return guarded([&] {
-        add_batch_at(tile_for(tile, kSplatted).tile, places(count, x_px, y_px), xyz_of(array(xyz, count, 3, "xyz")));
+        add_batch_at(tile_for(tile, kSplatted), places(count, x_px, y_px), xyz_of(array(xyz, count, 3, "xyz")));
     });
 }
 
 emulsion_status emulsion_tile_add_at_rgb(emulsion_tile* tile, size_t count, const float* x_px, const float* y_px,
                                          const char* space, const float* rgb) {
     return guarded([&] {
-        emulsion_tile& to = tile_for(tile, kSplatted);
+        emulsion::FilmTile& to = tile_for(tile, kSplatted);
         const emulsion::RgbInput input = rgb_input(to, space);
-        add_batch_at(to.tile, places(count, x_px, y_px), xyz_of(input, array(rgb, count, 3, "rgb")));
+        add_batch_at(to, places(count, x_px, y_px), xyz_of(input, array(rgb, count, 3, "rgb")));
     });
 }
 
@@ -163,14 +138,13 @@ emulsion_status emulsion_tile_splat_spectral(emulsion_tile* tile, size_t count, 
                                              size_t wavelengths, const float* lambda_nm, const float* radiance,
                                              const float* pdf_per_nm) {
     return guarded([&] {
-        splat_batch(tile_for_splats(tile).tile, places(count, x_px, y_px),
+        splat_batch(tile_for_splats(tile), places(count, x_px, y_px),
                     spectra(count, wavelengths, lambda_nm, radiance, pdf_per_nm));
     });
 }
 
 emulsion_status emulsion_tile_splat_xyz(emulsion_tile* tile, size_t count, const float* x_px, const float* y_px,
                                         const float* xyz) {
-    return guarded([&] {
-        splat_batch(tile_for_splats(tile).tile, places(count, x_px, y_px), xyz_of(array(xyz, count, 3, "xyz")));
-    });
+    return guarded(
+        [&] { splat_batch(tile_for_splats(tile), places(count, x_px, y_px), xyz_of(array(xyz, count, 3, "xyz"))); });
 }

@@ -32,11 +32,9 @@ void add_conversion_options(CLI::App& command, ConversionArguments& arguments) {
             "adaptations) [default: none]")
         ->option_text("NAME");
     command.footer(
-        "SPACE is a colour system, or an RGB space by its name, for linear RGB of that space: sRGB is linear, and "
-        "what\n"
+        "SPACE is a colour system, or an RGB space by its name, for linear RGB of that space: sRGB is linear, and what "
         "most files hold is encoded-rgb. XYZ is relative, Y = 1 for the white. The white of RGB, and of what is made "
-        "of\n"
-        "it, is that of its RGB space; that of oklab, oklch, ipt and ictcp is D65; that of all others is --white.");
+        "of it, is that of its RGB space; that of oklab, oklch, ipt and ictcp is D65; that of all others is --white.");
 }
 
 Conversion::Conversion(const ConversionArguments& arguments)

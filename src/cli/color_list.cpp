@@ -12,6 +12,8 @@
 #include "cli/color_tasks.h"
 #include "cli/difference_method.h"
 #include "cli/messages.h"
+#include "cli/option_checks.h"
+#include "core/name_key.h"
 #include "core/named_value.h"
 #include "spectrum/catalogue.h"
 #include "spectrum/chromatic_adaptation.h"
@@ -107,6 +109,14 @@ std::vector<std::string> section_names() {
     return names;
 }
 
+std::string parse_section(const std::string& text) {
+    const std::vector<std::string> names = section_names();
+    for (const std::string& name : names) {
+        if (name_key(name) == name_key(text)) return name;
+    }
+    throw CLI::ValidationError("SECTION", found_expected(text, fmt::format("one of {}", fmt::join(names, ", "))));
+}
+
 void print_list(const std::string& asked) {
     std::string separator;
     const auto head = [&](std::string_view name, std::string_view title) {
@@ -129,9 +139,9 @@ ColorTask add_color_list(CLI::App& color) {
     CLI::App& command = *color.add_subcommand("list", "Every name that these commands know");
     const auto section = std::make_shared<std::string>();
     command
-        .add_option("SECTION", *section,
-                    fmt::format("Only this part, one of {} [default: all]", fmt::join(section_names(), ", ")))
-        ->transform(CLI::IsMember(section_names(), CLI::ignore_case))
+        .add_option_function<std::string>(
+            "SECTION", [section](const std::string& text) { *section = parse_section(text); },
+            fmt::format("Only this part, one of {} [default: all]", fmt::join(section_names(), ", ")))
         ->option_text(" ");
     return {&command, [section] { print_list(*section); }};
 }

@@ -1,6 +1,7 @@
 // `emulsion color spectrum`: what a spectrum looks like, in numbers.
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -99,7 +100,8 @@ Subject find_subject(const Options& options) {
         try {
             static_cast<void>(catalogue_spectrum(options.spectrum));
         } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(fmt::format("no such file, and {}", error.what()));
+            throw std::invalid_argument(
+                fmt::format("{}: {}, and {}", options.spectrum, errno_text(ENOENT), error.what()));
         }
     }
     return {options.spectrum, read_spectrum_file(options.spectrum, observer(options.observer)), options.illuminant};
@@ -240,7 +242,7 @@ ColorTask add_color_spectrum(CLI::App& color) {
                      });
     command.add_flag("--json", options->json, "As one JSON object [default: text]");
     command.footer(
-        "Between the rows of a file are straight lines, outside them 0. A light is taken as W m^-2 sr^-1 nm^-1, also\n"
+        "Between the rows of a file are straight lines, outside them 0. A light is taken as W m^-2 sr^-1 nm^-1, also "
         "where its table is relative, like those of the CIE's illuminants: then its luminance means nothing.");
     return {&command, [options] {
                 const Subject subject = find_subject(*options);

@@ -7,6 +7,7 @@
 
 #include "cli/distinct_files.h"
 #include "cli/messages.h"
+#include "cli/option_checks.h"
 #include "cli/pipeline_options.h"
 #include "cli/tone_reports.h"
 #include "core/atomic_file.h"
@@ -27,8 +28,9 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     Options& options = *options_;
     command_->add_option("EXR", options.exr, "Picture with channels X Y Z or R G B, as `emulsion render` writes it")
         ->option_text(" ");
-    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->option_text("FILE");
+    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->check(ends_in_png)->option_text("FILE");
     command_->add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
+        ->check(ends_in_png)
         ->option_text("FILE");
     command_
         ->add_option("--curve", options.curve,
@@ -37,9 +39,7 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     command_->add_flag("--list-tonemaps", options.list_tonemaps, "Print every operator, and end");
     command_->add_flag("--list-adaptations", options.list_adaptations,
                        "Print every adaptation luminance that an operator may be given, and end");
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {

@@ -1,6 +1,5 @@
 #include "cli/exr_output_options.h"
 
-#include <filesystem>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -27,8 +26,12 @@ void add_exr_options(CLI::App& command, ExrOutput& output) {
                 fmt::format("Channels of the EXR: XYZ, or linear R G B of a space [default: {}]; one of\n  {}",
                             output.options.space, fmt::join(exr_space_names(), ", ")))
             ->option_text("NAME");
-    command.add_flag("--rgb", output.rgb, "Short for --space sRGB: linear, with the primaries of Rec. 709")
-        ->excludes(space);
+    const auto set_rgb = [&output, space] {
+        if (space->count() > 0) throw CLI::ValidationError("--rgb", "found --space as well, expected one of the two");
+        output.rgb = true;
+    };
+    command.add_flag_callback("--rgb", set_rgb,
+                              "Short for --space sRGB, and not beside it: linear, with the primaries of Rec. 709");
     add_named_option(command, "--compression", "compression", output.options.compression, "Compression of the EXR");
     command.add_flag("--half", output.half, "Write 16-bit floats into the EXR [default: 32-bit ones]");
 }
@@ -39,12 +42,6 @@ ExrOptions exr_options(const ExrOutput& output, PixelType pixel_type, int thread
     options.pixel_type = output.half ? PixelType::half : pixel_type;
     options.threads = threads;
     return options;
-}
-
-std::string ends_in_exr(const std::string& name) {
-    const std::string extension = std::filesystem::path(name).extension();
-    if (extension == ".exr" || extension == ".EXR") return {};
-    return "found \"" + name + "\", expected a name ending in .exr (--png writes a PNG)";
 }
 
 }  // namespace emulsion::cli

@@ -23,7 +23,4 @@ void add_exr_options(CLI::App& command, ExrOutput& output);
 /// Of what was parsed; `pixel_type` is the one without --half.
 [[nodiscard]] ExrOptions exr_options(const ExrOutput& output, PixelType pixel_type, int threads);
 
-/// Empty if the name ends in .exr, else what is wrong with it: for CLI::Option::check.
-[[nodiscard]] std::string ends_in_exr(const std::string& name);
-
 }  // namespace emulsion::cli

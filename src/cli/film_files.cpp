@@ -40,9 +40,9 @@ FilmState state_of(const FilmInProgress& film, const FilmMetadata& run) {
 Image<XYZ> write_film(const std::filesystem::path& output, const FilmInProgress& film, const FilmMetadata& run,
                       const ExrOptions& options) {
     const FilmPicture picture = picture_of(film.film());
-    const ExrWriteResult written = is_state_name(output)
-                                       ? write_film_state(output, state_of(film, run), options)
-                                       : write_exr(output, picture, metadata_of(film.film(), run), options);
+    const ExrWriteResult written =
+        is_state_name(output) ? write_film_state(output, state_of(film, run), options)
+                              : write_exr(output, picture, metadata_of(film.film(), film.provenance(), run), options);
     return picture_in_file(output, picture.xyz, written, options);
 }
 

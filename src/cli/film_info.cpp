@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/json_text.h"
+#include "cli/samples_text.h"
 #include "core/named_value.h"
 #include "film/exr_layers.h"
 
@@ -153,23 +154,26 @@ std::string dropped_text(std::uint64_t nan, std::uint64_t infinite, std::uint64_
     return fmt::format("{} NaN, {} infinite, {} of negative luminance", nan, infinite, negative);
 }
 
-/// "16 of each pixel"; `most` is unknown of pictures.
-std::string per_pixel_text(std::uint64_t least, std::optional<std::uint64_t> most) {
-    if (!most) return fmt::format("at least {} of each pixel", least);
-    if (*most == least) return fmt::format("{} of each pixel", least);
-    return fmt::format("{} to {} of each pixel", least, *most);
+/// What the pixels of a state show of its samples: fewer without those that were dropped, and another number where a
+/// filter splats each into several pixels.
+void report_reach(const FilmState& state, const SamplesTaken& taken, InfoReport& report) {
+    const std::uint64_t fewest = min_samples_per_pixel(state.contents), most = max_samples_per_pixel(state.contents);
+    if (SamplesTaken{fewest, most} != taken) report.line("", count_text(fewest, most) + " reach each pixel");
+    report.member("fewest_samples_reaching_a_pixel", std::to_string(fewest));
+    report.member("most_samples_reaching_a_pixel", std::to_string(most));
 }
 
 void report_samples(const FilmInfo& info, InfoReport& report) {
     const FilmMetadata& metadata = info.exr.metadata;
-    std::optional<std::uint64_t> most;
-    if (info.state) most = max_samples_per_pixel(info.state->contents);
-    report.line("samples", fmt::format("{}, {} in all",
-                                       per_pixel_text(static_cast<std::uint64_t>(metadata.samples_per_pixel), most),
-                                       metadata.sample_count));
-    report.member("samples_per_pixel", std::to_string(metadata.samples_per_pixel));
-    if (most) report.member("most_samples_per_pixel", std::to_string(*most));
+    const auto least = static_cast<std::uint64_t>(metadata.samples_per_pixel);
+    // A picture keeps no account of more.
+    const SamplesTaken taken = info.state ? samples_taken(info.state->provenance) : SamplesTaken{};
+    const std::string count = taken.most > 0 ? count_text(taken.least, taken.most) : fmt::format("at least {}", least);
+    report.line("samples", fmt::format("{} of each pixel, {} in all", count, metadata.sample_count));
+    report.member("samples_per_pixel", std::to_string(least));
+    if (taken.most > 0) report.member("most_samples_per_pixel", std::to_string(taken.most));
     report.member("sample_count", std::to_string(metadata.sample_count));
+    if (info.state) report_reach(*info.state, taken, report);
 }
 
 void report_losses(const FilmInfo& info, InfoReport& report) {
@@ -184,11 +188,13 @@ void report_losses(const FilmInfo& info, InfoReport& report) {
         }
         report.member("first_dropped", json_list(first));
     }
+    if (metadata.faint_count > 0) report.line("too faint", std::to_string(metadata.faint_count));
     report.line("firefly control", metadata.firefly_control.empty() ? "none" : metadata.firefly_control);
     report.member("dropped",
                   json_object({{"nan", std::to_string(metadata.dropped_nan_count)},
                                {"infinite", std::to_string(metadata.dropped_infinite_count)},
                                {"negative_luminance", std::to_string(metadata.dropped_negative_luminance_count)}}));
+    report.member("faint", std::to_string(metadata.faint_count));
     report.member_text("firefly_control", metadata.firefly_control);
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/film_info.h"
 #include "cli/messages.h"
+#include "cli/option_checks.h"
 
 namespace emulsion::cli {
 
@@ -23,9 +24,7 @@ InfoCommand::InfoCommand(CLI::App& program)
         ->required()
         ->option_text(" ");
     command_->add_flag("--json", options.json, "One JSON object [default: lines for people]");
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_option(*command_, options.threads);
 }
 
 InfoCommand::~InfoCommand() = default;

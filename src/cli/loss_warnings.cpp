@@ -32,10 +32,16 @@ void warn_of_losses(const FilmContents<ExactSums>& contents) {
         print_warning(fmt::format("{} of {} samples were bad and kept out: {}", dropped.count(), dropped.count() + kept,
                                   kinds_text(dropped)));
     }
+    if (const std::uint64_t count = contents.counts.faint; count > 0) {
+        print_warning(fmt::format(
+            "{} of {} samples are too faint for the film's sums, at most {:.2g} cd/m^2 times the imaging ratio", count,
+            kept + contents.counts.light_splats, 0.5 * ExactSum::kResolution));
+    }
     if (const auto count = pixels_without_value(contents); count > 0) {
         print_warning(
-            fmt::format("{} of {} pixels have no value and are 0: no good samples, or filter weights that cancel; more "
-                        "samples help",
+            fmt::format("{} of {} pixels have no value and are 0: no good samples, or too little weight of the filter "
+                        "(less than 1/64 a "
+                        "sample in the mean); more samples help",
                         count, contents.pixels.size()));
     }
     if (const auto count = saturated_pixels(contents); count > 0) {

@@ -10,7 +10,7 @@
 
 namespace emulsion::cli {
 
-/// Warns of samples that were kept out, of pixels without a value and of saturated ones.
+/// Warns of samples that were kept out or too faint, of pixels without a value and of saturated ones.
 /// \throws std::runtime_error if there are samples, and all were kept out: the picture would be black, whatever the
 /// scene.
 void warn_of_losses(const Film& film);

@@ -1,30 +1,29 @@
 // The `emulsion` program: picks the subcommand, and turns what goes wrong into one line and an exit code.
 
-#include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 
 #include "cli/color_command.h"
 #include "cli/develop_command.h"
+#include "cli/help_formatter.h"
 #include "cli/info_command.h"
 #include "cli/merge_command.h"
 #include "cli/messages.h"
 #include "cli/render_command.h"
+#include "cli/usage_errors.h"
 
 namespace {
 
 using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::InfoCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
-using emulsion::cli::MergeCommand, emulsion::cli::RenderCommand;
+using emulsion::cli::MergeCommand, emulsion::cli::RenderCommand, emulsion::cli::usage_error_text;
 
 /// The command as it could be typed again: words with anything special in them in single quotes.
 std::string command_line_text(int argc, char** argv) {
@@ -62,7 +61,7 @@ int run(int argc, char** argv) {
     program.name("emulsion");
     program.set_version_flag("--version", "emulsion " EMULSION_VERSION);
     program.require_subcommand(1);
-    program.get_formatter()->column_width(30);
+    program.formatter(emulsion::cli::help_formatter());
     const RenderCommand render(program);
     const DevelopCommand develop(program);
     const MergeCommand merge(program);
@@ -73,13 +72,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return program.exit(success);  // --help, --version
     } catch (const CLI::ParseError& error) {
-        // CLI11 would only miss a subcommand, and not say what it found in its place.
-        const std::string first = argc > 1 ? argv[1] : "-";
-        constexpr std::array<std::string_view, 5> kCommands = {"render", "develop", "merge", "info", "color"};
-        const bool unknown =
-            first.front() != '-' && std::find(kCommands.begin(), kCommands.end(), first) == kCommands.end();
-        print_error(unknown ? "found the subcommand \"" + first + "\", expected render, develop, merge, info or color"
-                            : error.what());
+        print_error(usage_error_text(program, error));
         return kBadUsage;
     }
     if (color.chosen()) return color.run();

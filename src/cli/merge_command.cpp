@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -13,7 +14,9 @@
 #include "cli/film_files.h"
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"
+#include "cli/option_checks.h"
 #include "cli/pipeline_options.h"
+#include "cli/samples_text.h"
 #include "core/atomic_file.h"
 #include "film/film_state.h"
 
@@ -30,6 +33,18 @@ struct MergeCommand::Options {
 
 namespace {
 
+/// "a, b and c"; of many the first ones, and how many more.
+std::string names_of(const std::vector<std::filesystem::path>& films) {
+    constexpr std::size_t kNamed = 3;
+    std::string names = films.front().string();
+    if (films.size() > kNamed) {
+        for (std::size_t i = 1; i < kNamed; ++i) names += ", " + films[i].string();
+        return names + fmt::format(" and {} more", films.size() - kNamed);
+    }
+    for (std::size_t i = 1; i < films.size(); ++i) names += (i + 1 < films.size() ? ", " : " and ") + films[i].string();
+    return names;
+}
+
 /// One after the other, so that never more than two are in memory.
 FilmState read_and_merge(const std::vector<std::filesystem::path>& films) {
     FilmState state = read_film_state(films.front());
@@ -38,9 +53,10 @@ FilmState read_and_merge(const std::vector<std::filesystem::path>& films) {
         try {
             merge(state, other);
         } catch (const std::invalid_argument& error) {
-            throw std::runtime_error(fmt::format("{} does not go with {}{}: {}", films[i].string(),
-                                                 films.front().string(), i > 1 ? " and those after it" : "",
-                                                 error.what()));
+            const std::vector<std::filesystem::path> before(films.begin(),
+                                                            films.begin() + static_cast<std::ptrdiff_t>(i));
+            throw std::runtime_error(
+                fmt::format("{} does not go with {}: {}", films[i].string(), names_of(before), error.what()));
         }
     }
     return state;
@@ -66,11 +82,10 @@ MergeCommand::MergeCommand(CLI::App& program)
         ->check(ends_in_exr)
         ->option_text("FILE");
     command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
+        ->check(ends_in_png)
         ->option_text("FILE");
     add_exr_options(*command_, options.exr);
-    command_->add_option("--threads", options.threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a few lines]");
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {
@@ -98,9 +113,10 @@ int MergeCommand::run(const std::string& command_line) const {
     const Image<XYZ> picture = write_film(options.output, state, exr);
     if (!options.png.empty()) develop_to_png(picture, options.pipeline, options.threads, options.png);
     if (options.quiet) return kDone;
-    print_output(fmt::format("{} film{}, {}x{} pixels, samples {}: {} of each pixel\nwrote {}\n", options.films.size(),
+    const SamplesTaken taken = samples_taken(state.provenance);
+    print_output(fmt::format("{} film{}, {}x{} pixels, {}: {} of each pixel\nwrote {}\n", options.films.size(),
                              options.films.size() == 1 ? "" : "s", picture.width(), picture.height(),
-                             to_text(state.provenance.samples), state.provenance.samples.count(),
+                             samples_text(state.provenance), count_text(taken.least, taken.most),
                              options.output.string()));
     if (!options.png.empty()) print_output(fmt::format("wrote {}\n", options.png.string()));
     return kDone;

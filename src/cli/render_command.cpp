@@ -20,6 +20,7 @@
 #include "cli/progress_display.h"
 #include "cli/render_resume.h"
 #include "cli/render_settings.h"
+#include "cli/samples_text.h"
 #include "cli/stop_signals.h"
 #include "core/atomic_file.h"
 #include "film/film.h"
@@ -102,9 +103,9 @@ void render_with_progress(const PreparedScene& scene, const RenderOptions& optio
     if (film.film().max_samples_per_pixel() == 0 && film.film().dropped().count() == 0) {
         throw std::runtime_error("stopped before the first samples; nothing was written");
     }
-    print_warning(fmt::format("stopped early, at {} to {} of {} samples per pixel; writing what there is",
-                              film.film().min_samples_per_pixel(), film.film().max_samples_per_pixel(),
-                              samples_of(options).size()));
+    const SamplesTaken taken = samples_taken(film.provenance());
+    print_warning(fmt::format("stopped early, at {} of {} samples per pixel; writing what there is",
+                              count_text(taken.least, taken.most), samples_of(options).size()));
 }
 
 }  // namespace
@@ -156,8 +157,9 @@ int RenderCommand::run(const std::string& command_line) const {
     const Image<XYZ> picture = write_film(files.output, in_progress, run, exr);
     if (!files.png.empty()) develop_to_png(picture, settings.pipeline, options.threads, files.png);
     if (!settings.quiet) {
+        const SamplesTaken taken = samples_taken(in_progress.provenance());
         print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),
-                                 film.min_samples_per_pixel(), render_s));
+                                 count_text(taken.least, taken.most), render_s));
         for (const auto& file : {files.output, files.png, files.state}) {
             if (!file.empty()) print_output(fmt::format("wrote {}\n", file.string()));
         }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/samples_text.h"
+
 namespace emulsion::cli {
 
 namespace {
@@ -38,15 +40,6 @@ FilmState read_state_for(const RenderStart& start, const std::filesystem::path& 
                                  samples_text(state.provenance), start.samples.begin, start.samples.end));
     }
     return state;
-}
-
-std::string samples_text(const FilmProvenance& provenance) {
-    std::string text = provenance.samples.empty() ? "no samples" : "samples " + to_text(provenance.samples);
-    if (const auto& partial = provenance.partial) {
-        text += fmt::format(", and {}-{} in {} of {} tiles,", partial->samples.begin, partial->samples.end,
-                            std::count(partial->done.begin(), partial->done.end(), 1), partial->done.size());
-    }
-    return text;
 }
 
 }  // namespace emulsion::cli

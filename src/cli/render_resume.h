@@ -22,7 +22,4 @@ struct RenderStart {
 /// or has samples that the render is not to have.
 [[nodiscard]] FilmState read_state_for(const RenderStart& start, const std::filesystem::path& path);
 
-/// "samples 0-8, and 8-16 in 3 of 12 tiles": what a film has.
-[[nodiscard]] std::string samples_text(const FilmProvenance& provenance);
-
 }  // namespace emulsion::cli

@@ -62,10 +62,12 @@ struct RenderSettings {
 /// Adds the flags, which are read into `settings`; it must outlive the parsing.
 void add_render_options(CLI::App& command, RenderSettings& settings);
 
-/// Writes what the settings say over the scene's own. \throws IoError if the sensor's curves can't be read.
+/// Writes what the settings say over the scene's own. \throws IoError if the sensor's curves can't be read, and
+/// CLI::ValidationError for a crop window beyond the frame.
 void apply(const RenderSettings& settings, Scene& scene);
 
 // For a scene that they were applied to.
+/// \throws CLI::ValidationError for a firefly control that the scene's exposure takes out of its range.
 [[nodiscard]] FilmOptions film_options(const RenderSettings& settings, const Scene& scene);
 /// \throws std::runtime_error if a shard has no samples.
 [[nodiscard]] RenderOptions render_options(const RenderSettings& settings, const Scene& scene);

@@ -1,6 +1,5 @@
 #include "core/atomic_file.h"
 
-#include <atomic>
 #include <cerrno>
 #include <optional>
 #include <string>
@@ -63,25 +62,6 @@ std::optional<::mode_t> permissions_of(const std::filesystem::path& target) {
     return status.st_mode & kPermissionBits;
 }
 
-/// Creates a new, empty file beside `target`, with a name that no other process or thread has, and returns its path.
-std::filesystem::path create_beside(const std::filesystem::path& target, ::mode_t permissions,
-                                    const std::filesystem::path& named) {
-    static std::atomic<unsigned> counter{0};
-    // The temporary name must fit where the name itself does.
-    constexpr std::size_t kKeptOfName = 64;
-    const std::string stem = "." + target.filename().string().substr(0, kKeptOfName) + ".";
-    for (;;) {
-        const std::string unique = std::to_string(::getpid()) + "." + std::to_string(counter++);
-        std::filesystem::path candidate = target.parent_path() / (stem + unique + ".tmp");
-        const int descriptor = ::open(candidate.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
-        if (descriptor >= 0) {
-            ::close(descriptor);
-            return candidate;
-        }
-        if (errno != EEXIST) throw IoError(named, "cannot create a file in its folder: " + errno_text(errno));
-    }
-}
-
 /// Gives the file its permissions, if any are asked for, and forces it to disk. 0, or what failed as an errno.
 int finish_file(int descriptor, const std::optional<::mode_t>& permissions) {
     if (permissions) {
@@ -97,26 +77,19 @@ int finish_file(int descriptor, const std::optional<::mode_t>& permissions) {
 }  // namespace
 
 // Until it is whole, nobody else may read what replaces a file that others perhaps may not read.
-AtomicFile::AtomicFile(std::filesystem::path path)
+AtomicFile::AtomicFile(std::filesystem::path path, TemporaryName name)
     : path_(std::move(path)),
       target_path_(replaceable_target(path_)),
       old_permissions_(permissions_of(target_path_)),
-      temporary_path_(create_beside(target_path_, old_permissions_ ? 0600 : 0666, path_)) {}
-
-AtomicFile::~AtomicFile() {
-    if (!committed_) ::unlink(temporary_path_.c_str());
-}
+      temporary_(target_path_, old_permissions_ ? 0600 : 0666, name, path_) {}
 
 void AtomicFile::commit() {
-    const int descriptor = ::open(temporary_path_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw IoError(path_, "cannot reopen the temporary file: " + errno_text(errno));
-    const int error = finish_file(descriptor, old_permissions_);
-    ::close(descriptor);
-    if (error != 0) throw IoError(path_, "cannot write to disk: " + errno_text(error));
-    if (::rename(temporary_path_.c_str(), target_path_.c_str()) != 0) {
-        throw IoError(path_, "cannot rename the temporary file: " + errno_text(errno));
+    if (const int error = finish_file(temporary_.descriptor(), old_permissions_); error != 0) {
+        throw IoError(path_, "cannot write to disk: " + errno_text(error));
     }
-    committed_ = true;
+    if (const int error = temporary_.rename_to(target_path_); error != 0) {
+        throw IoError(path_, "cannot rename the temporary file: " + errno_text(error));
+    }
 }
 
 void check_writable(const std::filesystem::path& path) { const AtomicFile probe(path); }

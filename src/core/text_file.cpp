@@ -1,6 +1,7 @@
 #include "core/text_file.h"
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <fstream>
 #include <system_error>
@@ -14,7 +15,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     using std::filesystem::file_type;
     std::error_code error;
     const file_type type = std::filesystem::status(path, error).type();
-    if (type == file_type::not_found) throw IoError(path, "no such file");
+    if (type == file_type::not_found) throw IoError(path, errno_text(ENOENT));
     if (type == file_type::directory) throw IoError(path, "is a folder, not a text file");
     if (type != file_type::regular && type != file_type::fifo) throw IoError(path, "is no file that can be read");
     std::ifstream file(path, std::ios::binary);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
@@ -33,6 +34,14 @@ const char* name_of(DroppedKind kind) noexcept {
 }
 
 }  // namespace
+
+DroppedKind kind_of_dropped(std::span<const float> numbers) noexcept {
+    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isnan(v); })) return DroppedKind::nan;
+    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {
+        return DroppedKind::infinite;
+    }
+    return DroppedKind::negative_luminance;
+}
 
 std::string to_string(const DroppedSample& sample) {
     std::ostringstream text;
@@ -68,12 +77,12 @@ DroppedSamples DroppedSamples::restored(const std::array<std::uint64_t, 3>& coun
                                         std::span<const DroppedSample> first) {
     DroppedSamples dropped;
     for (const DroppedSample& sample : first) dropped.add(sample);
-    const bool fits = first.size() <= kReported &&
+    const bool fits = first.size() <= kReported && std::is_sorted(first.begin(), first.end(), is_before) &&
                       std::equal(dropped.counts_.begin(), dropped.counts_.end(), counts.begin(), std::less_equal<>());
     if (!fits) {
         throw std::invalid_argument("dropped samples: " + std::to_string(first.size()) +
                                     " are reported, expected at most " + std::to_string(kReported) +
-                                    ", and no more of a kind than are counted");
+                                    " in reading order, and no more of a kind than are counted");
     }
     dropped.counts_ = counts;
     return dropped;

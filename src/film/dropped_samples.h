@@ -15,6 +15,9 @@ namespace emulsion {
 /// below 0 (before the weight, which may well be negative).
 enum class DroppedKind { nan, infinite, negative_luminance };
 
+/// Of a sample that is kept out, by all of its numbers.
+[[nodiscard]] DroppedKind kind_of_dropped(std::span<const float> numbers) noexcept;
+
 struct DroppedSample {
     int x_px = 0, y_px = 0;  ///< the pixel, in the film's coordinates
     DroppedKind kind = DroppedKind::nan;
@@ -43,7 +46,7 @@ class DroppedSamples {
     void merge(const DroppedSamples& other) noexcept;
 
     /// As another object reported it: for reading from files. At most kReported samples, in reading order.
-    /// \throws std::invalid_argument if there are more of them, or more than are counted.
+    /// \throws std::invalid_argument if there are more of them, in another order, or more of a kind than are counted.
     [[nodiscard]] static DroppedSamples restored(const std::array<std::uint64_t, 3>& counts,
                                                  std::span<const DroppedSample> first);
 

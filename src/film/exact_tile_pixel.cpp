@@ -121,6 +121,15 @@ struct ExactTilePixel::Avx2 {
         return std::max({std::abs(xyz.x), std::abs(xyz.y), std::abs(xyz.z)}) < kQuickValue;
     }
 
+    static bool are_quick(Float4 x_weights, Float4 y_weights, Float4 xyz) noexcept {
+        const auto size = [](Float4 numbers) {
+            return _mm_andnot_ps(_mm_set1_ps(-0.0f), std::bit_cast<__m128>(numbers));
+        };
+        const __m128 weights = _mm_cmplt_ps(_mm_max_ps(size(x_weights), size(y_weights)), _mm_set1_ps(kQuickWeight));
+        const __m128 values = _mm_cmplt_ps(size(xyz), _mm_set1_ps(static_cast<float>(kQuickValue)));
+        return _mm_movemask_ps(_mm_and_ps(weights, values)) == 15;
+    }
+
     [[gnu::target("avx2")]] static __m256d four(double xyz, double weight) noexcept {
         return _mm256_setr_pd(xyz, xyz, xyz, weight);
     }
@@ -135,6 +144,16 @@ struct ExactTilePixel::Avx2 {
         _mm256_store_si256(lows, _mm256_add_epi64(_mm256_load_si256(lows), _mm256_castpd_si256(low)));
     }
 
+    /// To pixel[0] ... pixel[3].
+    [[gnu::target("avx2")]] static void add_quick_four(ExactTilePixel* pixel, Float4 pixel_weights,
+                                                       __m256d value) noexcept {
+        const __m256d weights = _mm256_cvtps_pd(std::bit_cast<__m128>(pixel_weights));
+        add(pixel[0], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x00), value));
+        add(pixel[1], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x55), value));
+        add(pixel[2], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xaa), value));
+        add(pixel[3], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xff), value));
+    }
+
     [[gnu::target("avx2")]] static void add_quick_block(ExactTilePixel* first, std::ptrdiff_t stride,
                                                         std::span<const float> x_weights,
                                                         std::span<const float> y_weights, const XYZd& xyz) noexcept {
@@ -144,11 +163,7 @@ struct ExactTilePixel::Avx2 {
             ExactTilePixel* pixel = first;
             const float* x = x_weights.data();
             for (; x_end - x >= 4; x += 4, pixel += 4) {
-                const __m256d weights = _mm256_cvtps_pd(_mm_mul_ps(_mm_loadu_ps(x), _mm_set1_ps(y_weight)));
-                add(pixel[0], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x00), value));
-                add(pixel[1], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0x55), value));
-                add(pixel[2], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xaa), value));
-                add(pixel[3], _mm256_mul_pd(_mm256_permute4x64_pd(weights, 0xff), value));
+                add_quick_four(pixel, std::bit_cast<Float4>(_mm_mul_ps(_mm_loadu_ps(x), _mm_set1_ps(y_weight))), value);
             }
             for (; x != x_end; ++x, ++pixel) {
                 add(*pixel, _mm256_mul_pd(_mm256_set1_pd(static_cast<double>(*x * y_weight)), value));
@@ -156,9 +171,31 @@ struct ExactTilePixel::Avx2 {
             first += stride;
         }
     }
+
+    [[gnu::target("avx2")]] static void add_quick_four_by_four(ExactTilePixel* first, std::ptrdiff_t stride,
+                                                               Float4 x_weights, Float4 y_weights,
+                                                               Float4 xyz) noexcept {
+        const __m256d value = _mm256_blend_pd(_mm256_cvtps_pd(std::bit_cast<__m128>(xyz)), _mm256_set1_pd(1.0), 0b1000);
+        add_quick_four(first, x_weights * broadcast<0>(y_weights), value);
+        add_quick_four(first + stride, x_weights * broadcast<1>(y_weights), value);
+        add_quick_four(first + 2 * stride, x_weights * broadcast<2>(y_weights), value);
+        add_quick_four(first + 3 * stride, x_weights * broadcast<3>(y_weights), value);
+    }
 };
 
 #endif
+
+void ExactTilePixel::add_four_by_four(ExactTilePixel* first, std::ptrdiff_t stride, Float4 x_weights, Float4 y_weights,
+                                      Float4 xyz) noexcept {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2") != 0 && Avx2::are_quick(x_weights, y_weights, xyz)) [[likely]] {
+        return Avx2::add_quick_four_by_four(first, stride, x_weights, y_weights, xyz);
+    }
+#endif
+    const auto x = std::bit_cast<std::array<float, 4>>(x_weights), y = std::bit_cast<std::array<float, 4>>(y_weights);
+    add_any_block(first, stride, x, y,
+                  {static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2])});
+}
 
 void ExactTilePixel::add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
                                std::span<const float> y_weights, const XYZd& xyz) noexcept {

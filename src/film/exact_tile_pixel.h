@@ -52,6 +52,10 @@ class alignas(64) ExactTilePixel {  // a line of the cache
     static void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
                           std::span<const float> y_weights, const XYZd& xyz) noexcept;
 
+    /// The same for 4 x 4 pixels, all in registers. The fourth number of `xyz` is anything finite.
+    static void add_four_by_four(ExactTilePixel* first, std::ptrdiff_t stride, Float4 x_weights, Float4 y_weights,
+                                 Float4 xyz) noexcept;
+
     /// Moves what the low parts have gathered into the high ones; the sums stay what they are.
     void carry() noexcept;
 

@@ -18,6 +18,7 @@ void for_each_metadata_field(Metadata& metadata, const F& field) {
     field("emulsion.droppedNanCount", metadata.dropped_nan_count);
     field("emulsion.droppedInfiniteCount", metadata.dropped_infinite_count);
     field("emulsion.droppedNegativeCount", metadata.dropped_negative_luminance_count);
+    field("emulsion.faintCount", metadata.faint_count);
     field("emulsion.seed", metadata.seed);
     field("emulsion.rendererVersion", metadata.renderer_version);
     field("emulsion.commandLine", metadata.command_line);

@@ -31,17 +31,19 @@ namespace emulsion {
 
 /// What the header says about the making of a picture. The attribute's name stands beside each field; all are strings.
 struct FilmMetadata {
-    std::int64_t samples_per_pixel = 0;  ///< the fewest of any pixel; "emulsion.samplesPerPixel"
+    std::int64_t samples_per_pixel = 0;  ///< taken of every pixel, at least; "emulsion.samplesPerPixel"
     std::uint64_t sample_count = 0;      ///< in all pixels; "emulsion.sampleCount"
     /// Samples kept out of the film, by kind (film/dropped_samples.h).
     std::uint64_t dropped_nan_count = 0;                 ///< "emulsion.droppedNanCount"
     std::uint64_t dropped_infinite_count = 0;            ///< "emulsion.droppedInfiniteCount"
     std::uint64_t dropped_negative_luminance_count = 0;  ///< "emulsion.droppedNegativeCount"
-    std::uint64_t seed = 0;                              ///< "emulsion.seed"
-    std::string renderer_version = {};                   ///< "emulsion.rendererVersion"
-    std::string command_line = {};                       ///< "emulsion.commandLine"
-    std::string filter = {};                             ///< "mitchell:..."; "emulsion.filter"
-    std::string film = {};                               ///< the film's other options; "emulsion.film"
+    /// Samples too faint for the film's sums (film/film_counts.h); "emulsion.faintCount"
+    std::uint64_t faint_count = 0;
+    std::uint64_t seed = 0;             ///< "emulsion.seed"
+    std::string renderer_version = {};  ///< "emulsion.rendererVersion"
+    std::string command_line = {};      ///< "emulsion.commandLine"
+    std::string filter = {};            ///< "mitchell:..."; "emulsion.filter"
+    std::string film = {};              ///< the film's other options; "emulsion.film"
     /// What was done against fireflies, and its measured bias; empty: nothing. "emulsion.fireflyControl"
     std::string firefly_control = {};
     bool operator==(const FilmMetadata&) const = default;

@@ -11,7 +11,7 @@ namespace emulsion {
 HeaderReader::HeaderReader(const std::filesystem::path& path) : path_(path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) fail(error ? error.message() : "no such file");
+    if (!std::filesystem::exists(status)) fail(error ? error.message() : errno_text(ENOENT));
     if (std::filesystem::is_directory(status)) fail("is a folder, expected an EXR file");
     if (!std::filesystem::is_regular_file(status)) fail("is not a regular file, expected an EXR file");
     errno = 0;

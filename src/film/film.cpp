@@ -55,6 +55,7 @@ void BasicFilm<Sums>::merge(const BasicFilmTile<Sums>& tile) {
     counts.samples = tile.sample_count();
     counts.light_splats = tile.light_splat_count();
     counts.dropped_aux = tile.dropped_aux();
+    counts.faint = tile.faint_count();
     counts.dropped = tile.dropped();
     counts.clamped = tile.clamped();
 

@@ -18,6 +18,7 @@ FilmChannels::FilmChannels(const FilmOptions& options)
     for (const AuxLayer& layer : options.aux) aux.push_back(place(static_cast<int>(layer.components.size()) + 1));
     const auto* const median = std::get_if<MedianOfMeans>(&options.firefly_control);
     means = place(median != nullptr ? 4 * median->groups : 0);
+    squared_weights = place(squares > 0 && has_negative_lobes(options.filter) ? squares + 1 : 0);
 }
 
 ChannelSums::ChannelSums(const FilmChannels& channels, std::size_t pixels)

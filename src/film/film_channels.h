@@ -32,8 +32,11 @@ struct FilmChannels {
     Group bucket_splats;     ///< radiance * coverage of light splats in each bucket, over their area in pixels
     std::vector<Group> aux;  ///< of each layer: weight * components, then the weights
     Group means;             ///< of each group of MedianOfMeans: weight * X, Y, Z, and the weights
-    int sums = 0;            ///< ExactSums to a pixel, all in all
-    int squares = 0;         ///< SquareSums to a pixel: weight * Y^2, or weight * X^2, Y^2, Z^2
+    /// For variances under a filter with negative lobes: weight^2 * Y, or weight^2 * X, Y, Z; then weight^2.
+    Group squared_weights;
+    int sums = 0;  ///< ExactSums to a pixel, all in all
+    /// SquareSums to a pixel: weight * Y^2, or weight * X^2, Y^2, Z^2. With squared_weights, of weight^2.
+    int squares = 0;
     bool operator==(const FilmChannels&) const = default;
 };
 

@@ -45,6 +45,12 @@ void require_size(const FilmContents<Sums>& contents, const FilmOptions& options
         described(pixels, sums, squares));
 }
 
+void require_light_paths(const FilmCounts& counts) {
+    if (counts.light_splats == 0 || counts.light_paths > 0) return;
+    throw std::logic_error("film: it has " + std::to_string(counts.light_splats) +
+                           " light splats, and nobody told it the number of light paths");
+}
+
 template <class Sums>
 void merge(FilmContents<Sums>& contents, const FilmContents<Sums>& other) noexcept {
     for (std::size_t i = 0; i < contents.pixels.size(); ++i) contents.pixels[i].merge(other.pixels[i]);
@@ -55,10 +61,7 @@ void merge(FilmContents<Sums>& contents, const FilmContents<Sums>& other) noexce
 template <class Sums>
 Image<XYZ> xyz_image(const FilmContents<Sums>& contents, const FilmSetup& setup) {
     const FilmCounts& counts = contents.counts;
-    if (counts.light_splats > 0 && counts.light_paths == 0) {
-        throw std::logic_error("film: it has " + std::to_string(counts.light_splats) +
-                               " light splats, and nobody told it the number of light paths");
-    }
+    require_light_paths(counts);
     Image<XYZ> image(setup.bounds.width(), setup.bounds.height());
     for (std::size_t i = 0; i < contents.pixels.size(); ++i) {
         const PixelSums sums = sums_of(contents, i);

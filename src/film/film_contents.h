@@ -32,6 +32,9 @@ template <class Sums>
 template <class Sums>
 void require_size(const FilmContents<Sums>& contents, const FilmOptions& options);
 
+/// \throws std::logic_error if there are light splats and the number of light paths is 0.
+void require_light_paths(const FilmCounts& counts);
+
 /// Adds what another film of the same options has gathered; both must have its size.
 template <class Sums>
 void merge(FilmContents<Sums>& contents, const FilmContents<Sums>& other) noexcept;

@@ -13,8 +13,12 @@ struct FilmCounts {
     std::uint64_t light_splats = 0;  ///< light splats that arrived
     std::uint64_t light_paths = 0;   ///< light paths traced
     std::uint64_t dropped_aux = 0;   ///< values of auxiliary layers that were not finite
-    DroppedSamples dropped;          ///< camera samples and light splats that were kept out
-    ClampedSamples clamped;          ///< samples that LuminanceClamp scaled down
+    /// Camera samples and light splats whose luminance, before any clamp, is above 0 and at most half of ExactSum's
+    /// resolution, 2.8e-14 cd/m^2 (times the imaging ratio): they were added, as what they round to. At a weight of 1
+    /// that is 0.
+    std::uint64_t faint = 0;
+    DroppedSamples dropped;  ///< camera samples and light splats that were kept out
+    ClampedSamples clamped;  ///< samples that LuminanceClamp scaled down
     bool operator==(const FilmCounts&) const = default;
 
     void merge(const FilmCounts& other) noexcept {
@@ -22,6 +26,7 @@ struct FilmCounts {
         light_splats += other.light_splats;
         light_paths += other.light_paths;
         dropped_aux += other.dropped_aux;
+        faint += other.faint;
         dropped.merge(other.dropped);
         clamped.merge(other.clamped);
     }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/named_value.h"
+#include "film/filter_footprint.h"
 
 namespace emulsion {
 
@@ -74,6 +75,15 @@ std::string bias_text(const MedianOfMeans& median, const FilmContents<ExactSums>
                        percent_text(bias_cdm2, mean.plain_cdm2));
 }
 
+std::uint64_t least_samples_taken(const FilmContents<ExactSums>& contents, const FilmOptions& options,
+                                  const FilmProvenance& provenance) {
+    if (const SamplesTaken taken = samples_taken(provenance); taken.most > 0) return taken.least;
+    if (options.filter_use != FilterUse::splatted) return min_samples_per_pixel(contents);
+    const PixelBounds places = FilterFootprint(options.filter).places_that_reach(bounds_of(options));
+    return contents.counts.samples /
+           (static_cast<std::uint64_t>(places.width()) * static_cast<std::uint64_t>(places.height()));
+}
+
 }  // namespace
 
 std::string firefly_text(const FilmContents<ExactSums>& contents, const FilmOptions& options) {
@@ -81,27 +91,33 @@ std::string firefly_text(const FilmContents<ExactSums>& contents, const FilmOpti
                       options.firefly_control);
 }
 
-void update_counts(const FilmContents<ExactSums>& contents, const FilmOptions& options, FilmMetadata& metadata) {
+void update_counts(const FilmContents<ExactSums>& contents, const FilmOptions& options,
+                   const FilmProvenance& provenance, FilmMetadata& metadata) {
     const DroppedSamples& dropped = contents.counts.dropped;
-    metadata.samples_per_pixel = static_cast<std::int64_t>(min_samples_per_pixel(contents));
+    metadata.samples_per_pixel = static_cast<std::int64_t>(least_samples_taken(contents, options, provenance));
     metadata.sample_count = contents.counts.samples;
     metadata.dropped_nan_count = dropped.count(DroppedKind::nan);
     metadata.dropped_infinite_count = dropped.count(DroppedKind::infinite);
     metadata.dropped_negative_luminance_count = dropped.count(DroppedKind::negative_luminance);
+    metadata.faint_count = contents.counts.faint;
     metadata.firefly_control = firefly_text(contents, options);
 }
 
-FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmOptions& options, FilmMetadata run) {
-    update_counts(contents, options, run);
+FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmOptions& options,
+                         const FilmProvenance& provenance, FilmMetadata run) {
+    update_counts(contents, options, provenance, run);
     run.filter = to_text(options.filter);
     const std::string text = to_text(options);
     run.film = text.substr(text.find(' ') + 1) + " " + to_text(options.sensor);
     return run;
 }
 
-FilmMetadata metadata_of(const Film& film, FilmMetadata run) {
-    return film.with_contents(
-        [&](const FilmContents<ExactSums>& contents) { return metadata_of(contents, film.options(), std::move(run)); });
+FilmMetadata metadata_of(const Film& film, const FilmProvenance& provenance, FilmMetadata run) {
+    return film.with_contents([&](const FilmContents<ExactSums>& contents) {
+        return metadata_of(contents, film.options(), provenance, std::move(run));
+    });
 }
+
+FilmMetadata metadata_of(const Film& film, FilmMetadata run) { return metadata_of(film, {}, std::move(run)); }
 
 }  // namespace emulsion

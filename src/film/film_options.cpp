@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <variant>
 
 #include "core/named_value.h"
 #include "core/parameters.h"
@@ -109,6 +110,18 @@ void validate(const FilmOptions& options) {
     if (options.spectrum) validate(*options.spectrum);
     validate(options.aux);
     validate_named(options.firefly_control, "firefly control");
+}
+
+void validate_clamp(const FilmOptions& options) {
+    const auto* const clamp = std::get_if<LuminanceClamp>(&options.firefly_control);
+    if (clamp == nullptr) return;
+    const double ratio = imaging_ratio(options.sensor);
+    const auto limit = static_cast<float>(static_cast<double>(clamp->max_luminance_cdm2) * ratio);
+    // In single precision, as it is used and as 1e30 is read: that is a little more than 1e30.
+    if (limit >= static_cast<float>(kMinImagingRatio) && limit <= static_cast<float>(kMaxImagingRatio)) return;
+    throw std::invalid_argument("film: firefly control clamp: luminance is " + number_text(clamp->max_luminance_cdm2) +
+                                " cd/m^2, which times the imaging ratio " + number_text(ratio) + " is " +
+                                number_text(limit) + ", expected a product in [1e-30, 1e+30]");
 }
 
 std::string to_text(const FilmOptions& options) {

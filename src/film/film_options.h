@@ -21,7 +21,8 @@ enum class FilterUse {
     splatted,            ///< places are uniform, and a sample goes into every pixel that the filter reaches
 };
 
-/// Sums of squares, for variances. 16 bytes a pixel for the luminance, 48 for X, Y and Z.
+/// Sums of squares, for variances. 16 bytes a pixel for the luminance, 48 for X, Y and Z; under filters with negative
+/// lobes 40 and 96.
 enum class FilmVariance { none, luminance, xyz };
 
 /// Further quantities of what a pixel shows, averaged by the filter: albedo, normal, depth, or any other by name.
@@ -57,6 +58,9 @@ struct FilmOptions {
 
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const FilmOptions& options);
+/// The same for what a LuminanceClamp and the sensor's exposure are together; not part of validate(), since options
+/// that are read from a text have their sensor elsewhere. A film's constructor asks both.
+void validate_clamp(const FilmOptions& options);
 
 /// All options but the size, the crop window and the sensor, for people and for files: "filter=box:x-radius=0.5,...
 /// filter-use=importance-sampled variance=none ...".

@@ -63,21 +63,26 @@ std::optional<SpectralBuckets> parse_spectrum(std::string_view text) {
     return buckets;
 }
 
-std::vector<AuxLayer> parse_aux(std::string_view text) {
-    std::vector<AuxLayer> layers;
-    // A layer cannot be named so without components.
-    if (text == "none") return layers;
-    for (const std::string_view layer : split(text, ',')) {
-        const auto [name, components] = cut(layer, ':', "auxiliary layers: name:component+component");
-        layers.push_back({std::string(name), {}});
-        for (const std::string_view component : split(components, '+')) {
-            layers.back().components.emplace_back(component);
-        }
+AuxLayer parse_aux_layer(std::string_view text) {
+    for (const AuxLayer& known : known_aux_layers()) {
+        if (text == known.name) return known;
     }
-    return layers;
+    const auto [name, components] =
+        cut(text, ':', "auxiliary layers: name:component+component, or albedo, normal and depth by their names");
+    AuxLayer layer{std::string(name), {}};
+    for (const std::string_view component : split(components, '+')) layer.components.emplace_back(component);
+    return layer;
 }
 
 }  // namespace
+
+std::vector<AuxLayer> parse_aux_layers(std::string_view text) {
+    std::vector<AuxLayer> layers;
+    // A layer cannot be named so without components.
+    if (text == "none") return layers;
+    for (const std::string_view layer : split(text, ',')) layers.push_back(parse_aux_layer(layer));
+    return layers;
+}
 
 std::string_view film_option_text(std::string_view text, std::string_view name) {
     for (const std::string_view part : split(text, ' ')) {
@@ -94,7 +99,7 @@ FilmOptions parse_film_options(std::string_view text) {
     options.light_splats = film_option_text(text, "light-splats") == "yes";
     options.variance = parse_variance(film_option_text(text, "variance"));
     options.spectrum = parse_spectrum(film_option_text(text, "spectrum"));
-    options.aux = parse_aux(film_option_text(text, "aux"));
+    options.aux = parse_aux_layers(film_option_text(text, "aux"));
     options.firefly_control = parse_named<FireflyControl>(film_option_text(text, "firefly-control"), "firefly control");
     validate(options);
     if (to_text(options) != text) refuse(to_text(options), text);

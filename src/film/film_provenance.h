@@ -30,4 +30,17 @@ struct FilmProvenance {
     bool operator==(const FilmProvenance&) const = default;
 };
 
+/// Samples taken of a pixel: every pixel has `least`, and none has more than `most`. Those that reach a pixel are
+/// others where a filter splats them.
+struct SamplesTaken {
+    std::uint64_t least = 0, most = 0;
+    bool operator==(const SamplesTaken&) const = default;
+};
+
+/// By the account, dropped samples among them; `most` is 0 if it knows of none.
+[[nodiscard]] inline SamplesTaken samples_taken(const FilmProvenance& provenance) noexcept {
+    const std::uint64_t least = provenance.samples.count();
+    return {least, least + (provenance.partial ? provenance.partial->samples.size() : 0)};
+}
+
 }  // namespace emulsion

@@ -1,6 +1,5 @@
 #include "film/film_setup.h"
 
-#include "core/parameters.h"
 #include "film/filter_sampler.h"
 
 namespace emulsion {
@@ -9,14 +8,13 @@ namespace {
 
 const FilmOptions& validated(const FilmOptions& options) {
     validate(options);
+    validate_clamp(options);
     return options;
 }
 
 /// What samples are compared with, in single precision: with the imaging ratio.
 float max_luminance_of(const LuminanceClamp& clamp, const SensorOptions& sensor) {
-    const double limit = static_cast<double>(clamp.max_luminance_cdm2) * imaging_ratio(sensor);
-    check_range(limit, {kMinImagingRatio, kMaxImagingRatio}, "film: firefly control clamp: luminance * imaging ratio");
-    return static_cast<float>(limit);
+    return static_cast<float>(static_cast<double>(clamp.max_luminance_cdm2) * imaging_ratio(sensor));
 }
 
 }  // namespace
@@ -35,7 +33,7 @@ FilmSetup::FilmSetup(const FilmOptions& film_options)
         max_luminance = max_luminance_of(*clamp, options.sensor);
     }
     if (const auto* const median = std::get_if<MedianOfMeans>(&options.firefly_control)) mean_groups = median->groups;
-    if (options.variance != FilmVariance::none) {
+    if (options.variance != FilmVariance::none && channels.squared_weights.size == 0) {
         mean_square_weight = options.filter_use == FilterUse::splatted
                                  ? footprint->mean_square_weight()
                                  : FilterSampler(options.filter).mean_square_weight();

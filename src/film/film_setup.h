@@ -26,7 +26,8 @@ struct FilmSetup {
     /// Above it samples are scaled down: cd/m^2 times the imaging ratio.
     float max_luminance = std::numeric_limits<float>::max();
     int mean_groups = 0;  ///< of MedianOfMeans; 0 without
-    /// Of the samples that a pixel has, by the filter alone; of a mean weight of 1. 1 without variances.
+    /// Of the samples that a pixel has, by the filter alone; of a mean weight of 1. 1 without variances, and where
+    /// pixels have sums of squared weights.
     double mean_square_weight = 1.0;
 };
 

@@ -42,7 +42,9 @@ void require_same_kind(const FilmKind& a, const FilmKind& b) {
         require_same(option, film_option_text(a_text, option), film_option_text(b_text, option));
     }
     require_same("film", a_text, b_text);  // what the list above may lack
-    require_same("sensor", a.sensor_text, b.sensor_text);
+    if (without_camera_name(a.sensor_text) != without_camera_name(b.sensor_text)) {
+        require_same("sensor", a.sensor_text, b.sensor_text);
+    }
     require_same("scene", a.provenance.scene, b.provenance.scene);
     require_same("sampling", a.provenance.sampling, b.provenance.sampling);
 }
@@ -67,7 +69,7 @@ FilmOptions without_camera(FilmOptions options) {
 
 FilmState state_of(const Film& film, FilmProvenance provenance, FilmMetadata run) {
     FilmContents<ExactSums> contents = film.contents();
-    FilmMetadata metadata = metadata_of(contents, film.options(), std::move(run));
+    FilmMetadata metadata = metadata_of(contents, film.options(), provenance, std::move(run));
     return {without_camera(film.options()), to_text(film.options().sensor), std::move(contents), std::move(provenance),
             std::move(metadata)};
 }
@@ -85,7 +87,7 @@ void merge(FilmState& state, const FilmState& other) {
     require_size(other.contents, other.options);
     state.provenance.samples.add(other.provenance.samples);
     merge(state.contents, other.contents);
-    update_counts(state.contents, state.options, state.metadata);
+    update_counts(state.contents, state.options, state.provenance, state.metadata);
 }
 
 }  // namespace emulsion

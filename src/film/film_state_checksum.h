@@ -14,8 +14,9 @@
 
 namespace emulsion {
 
-/// The version that is written, and the one that is read. Where the checksum is and what it is of is the same in all.
-inline constexpr const char* kFilmStateVersion = "1";
+/// The version that is written, and the one that is read. Version 1 had other sums under filters with negative lobes,
+/// and did not count faint samples. Where the checksum is and what it is of is the same in all.
+inline constexpr const char* kFilmStateVersion = "2";
 
 /// What marks a film state.
 struct FilmStateMark {

@@ -179,6 +179,7 @@ FilmStateFields fields_of(const FilmState& state) {
             .light_splats = counts.light_splats,
             .light_paths = counts.light_paths,
             .dropped_aux = counts.dropped_aux,
+            .faint = counts.faint,
             .dropped_nan = counts.dropped.count(DroppedKind::nan),
             .dropped_infinite = counts.dropped.count(DroppedKind::infinite),
             .dropped_negative_luminance = counts.dropped.count(DroppedKind::negative_luminance),
@@ -197,6 +198,7 @@ FilmState state_of(const FilmStateFields& fields) {
     counts.light_splats = fields.light_splats;
     counts.light_paths = fields.light_paths;
     counts.dropped_aux = fields.dropped_aux;
+    counts.faint = fields.faint;
     counts.dropped =
         DroppedSamples::restored({fields.dropped_nan, fields.dropped_infinite, fields.dropped_negative_luminance},
                                  parse_dropped(fields.first_dropped));

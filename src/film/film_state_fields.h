@@ -11,7 +11,7 @@ namespace emulsion {
 /// The attributes' names stand in for_each_state_field().
 struct FilmStateFields {
     std::string size, crop, film, sensor, exposure_time, iso, observer;
-    std::uint64_t samples = 0, light_splats = 0, light_paths = 0, dropped_aux = 0;
+    std::uint64_t samples = 0, light_splats = 0, light_paths = 0, dropped_aux = 0, faint = 0;
     std::uint64_t dropped_nan = 0, dropped_infinite = 0, dropped_negative_luminance = 0;
     std::string first_dropped;
     std::uint64_t clamped = 0;
@@ -34,6 +34,7 @@ void for_each_state_field(Fields& fields, const F& field) {
     field("emulsion.state.lightSplats", fields.light_splats);
     field("emulsion.state.lightPaths", fields.light_paths);
     field("emulsion.state.droppedAux", fields.dropped_aux);
+    field("emulsion.state.faint", fields.faint);
     field("emulsion.state.droppedNan", fields.dropped_nan);
     field("emulsion.state.droppedInfinite", fields.dropped_infinite);
     field("emulsion.state.droppedNegative", fields.dropped_negative_luminance);

@@ -2,7 +2,8 @@
 // How a film sums: exactly (the default), or in plain doubles, floats, or floats with Kahan's compensation. The last
 // three depend on the order of samples and merges, and are there to be measured against the first.
 //
-// Each kind has two types of pixel. TilePixel, one thread's:
+// Each kind names the luminance up to which a sample of weight 1 is lost in it: kFaintLuminance_cdm2. It has two types
+// of pixel. TilePixel, one thread's:
 //     bool add(double x, double y, double z, double weight) noexcept
 // adds weight * XYZ and the weight; if a number among them is not finite it does nothing and returns false.
 //     std::uint64_t samples() const noexcept
@@ -32,6 +33,7 @@ struct ExactSums {
     static constexpr std::string_view kName = "exact";
     static constexpr std::string_view kHelp = "fixed-point sums that do not depend on any order";
     bool operator==(const ExactSums&) const = default;
+    static constexpr float kFaintLuminance_cdm2 = static_cast<float>(0.5 * ExactSum::kResolution);
     using TilePixel = ExactTilePixel;
     using FilmPixel = ExactFilmPixel;
 };
@@ -124,6 +126,7 @@ class FloatingFilmPixel {
 template <class T, class Sum>
 struct FloatingSums {
     bool operator==(const FloatingSums&) const = default;
+    static constexpr float kFaintLuminance_cdm2 = 0.0f;
     using TilePixel = FloatingTilePixel<T, Sum>;
     using FilmPixel = FloatingFilmPixel<T, Sum>;
 };

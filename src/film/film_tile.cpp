@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,22 +46,6 @@ bool all_finite(const SensorSample& sample) noexcept {
 
 double product(float a, float b) noexcept { return static_cast<double>(a) * static_cast<double>(b); }
 
-void add_block(ExactTilePixel* first, std::ptrdiff_t stride, std::span<const float> x_weights,
-               std::span<const float> y_weights, const XYZd& xyz) noexcept {
-    ExactTilePixel::add_block(first, stride, x_weights, y_weights, xyz);
-}
-template <class Pixel>
-void add_block(Pixel* first, std::ptrdiff_t stride, std::span<const float> x_weights, std::span<const float> y_weights,
-               const XYZd& xyz) noexcept {
-    for (const float y_weight : y_weights) {
-        Pixel* pixel = first;
-        for (const float x_weight : x_weights) {
-            (pixel++)->add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weight * y_weight));
-        }
-        first += stride;
-    }
-}
-
 void add_to(ExactSum& sum, double term) noexcept { sum += ExactSum(term); }
 
 }  // namespace
@@ -68,10 +54,8 @@ template <class Sums>
 BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const FilmSetup> setup)
     : places_(places),
       bounds_(pixels_reached(places, *checked(setup, places))),
-      least_x_px_(static_cast<float>(places.x0)),
-      least_y_px_(static_cast<float>(places.y0)),
-      most_x_px_(static_cast<float>(places.x1)),
-      most_y_px_(static_cast<float>(places.y1)),
+      least_places_{static_cast<float>(places.x0), static_cast<float>(places.y0), -static_cast<float>(places.x1),
+                    -static_cast<float>(places.y1)},
       width_(bounds_.width()),
       first_(bounds_.y0 * width_ + bounds_.x0),
       setup_(std::move(setup)),
@@ -85,8 +69,11 @@ BasicFilmTile<Sums>::BasicFilmTile(PixelBounds places, std::shared_ptr<const Fil
       pixels_(pixel_count(bounds_)),
       channels_(setup_->channels, pixel_count(bounds_)) {
     if (!footprint_) return;
-    x_weights_.resize(footprint_->room(FilterAxis::x));
-    y_weights_.resize(footprint_->room(FilterAxis::y));
+    plain_footprint_ = has_channels_ || has_buckets_ ? nullptr : footprint_;
+    constexpr float kMost = std::numeric_limits<float>::max();
+    least_usual_ = Float4{-kMost, -kMost, -kMost, 0.0f};
+    most_usual_ = Float4{kMost, kMost, kMost, std::min(max_luminance_, kMost)};
+    weight_room_ = WeightRoom(*footprint_);
 }
 
 template <class Sums>
@@ -94,7 +81,7 @@ void BasicFilmTile<Sums>::clear() noexcept {
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     channels_.clear();
     group_ = 0;
-    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = 0;
+    since_carry_ = spread_samples_ = spread_touches_ = light_splats_ = dropped_aux_ = faint_samples_ = 0;
     dropped_ = {};
     clamped_ = {};
 }
@@ -120,10 +107,18 @@ void BasicFilmTile<Sums>::accumulate_unusual(std::size_t i, int x, int y, const 
     const XYZ value = share * sample.xyz;
     pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z),
                    static_cast<double>(weight));
-    ++clamped_.count;
-    add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    count_if_faint(sample.luminance);
+    if (share < 1.0f) {
+        ++clamped_.count;
+        add_to(clamped_.removed_luminance, product(weight, sample.luminance - share * sample.luminance));
+    }
     carry_in_time(i);
     if (has_more_) add_more(i, value, weight);
+}
+
+template <class Sums>
+[[gnu::cold, gnu::noinline]] void BasicFilmTile<Sums>::count_unless_black(float luminance) noexcept {
+    if (luminance > 0.0f) ++faint_samples_;
 }
 
 template <class Sums>
@@ -135,22 +130,28 @@ void BasicFilmTile<Sums>::add_more(std::size_t i, XYZ value, float weight) noexc
 
 template <class Sums>
 void BasicFilmTile<Sums>::add_channels(std::size_t i, XYZ value, float weight) noexcept {
-    const auto w = static_cast<double>(weight);
-    const std::span<SquareSum> squares = channels_.squares(i);
-    if (squares.size() == 1) {
-        squares[0] += SquareSum(w * product(value.y, value.y));
-    } else if (squares.size() == 3) {
-        squares[0] += SquareSum(w * product(value.x, value.x));
-        squares[1] += SquareSum(w * product(value.y, value.y));
-        squares[2] += SquareSum(w * product(value.z, value.z));
-    }
+    add_squares(i, value, weight);
     if (mean_groups_ == 0) return;
     const int place = setup_->channels.means.begin + 4 * group_;
     const std::span<ExactSum> mean = channels_.sums(i).subspan(static_cast<std::size_t>(place), 4);
     add_to(mean[0], product(weight, value.x));
     add_to(mean[1], product(weight, value.y));
     add_to(mean[2], product(weight, value.z));
-    add_to(mean[3], w);
+    add_to(mean[3], static_cast<double>(weight));
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::add_squares(std::size_t i, XYZ value, float weight) noexcept {
+    const std::span<SquareSum> squares = channels_.squares(i);
+    const FilmChannels::Group& of_weights = setup_->channels.squared_weights;
+    const double w = of_weights.size > 0 ? product(weight, weight) : static_cast<double>(weight);
+    const std::array<float, 3> all = {value.x, value.y, value.z};
+    const std::span<const float> values = squares.size() == 1 ? std::span(all).subspan(1, 1) : std::span(all);
+    for (std::size_t k = 0; k < squares.size(); ++k) squares[k] += SquareSum(w * product(values[k], values[k]));
+    if (of_weights.size == 0) return;
+    const std::span<ExactSum> sums = channels_.sums(i).subspan(static_cast<std::size_t>(of_weights.begin));
+    for (std::size_t k = 0; k < squares.size(); ++k) add_to(sums[k], w * static_cast<double>(values[k]));
+    add_to(sums[squares.size()], w);
 }
 
 template <class Sums>
@@ -169,33 +170,36 @@ void BasicFilmTile<Sums>::add_buckets(std::size_t i, const SensorSample& sample,
 }
 
 template <class Sums>
-typename BasicFilmTile<Sums>::Block BasicFilmTile<Sums>::block_reached(float x_px, float y_px) noexcept {
-    const FilterFootprint& footprint = *footprint_;
-    const FilterFootprint::Weights all_x = footprint.weights(FilterAxis::x, x_px, x_weights_.data());
-    const FilterFootprint::Weights all_y = footprint.weights(FilterAxis::y, y_px, y_weights_.data());
-    const int x0 = std::max(all_x.reached.begin, bounds_.x0), x1 = std::min(all_x.reached.end, bounds_.x1);
-    const int y0 = std::max(all_y.reached.begin, bounds_.y0), y1 = std::min(all_y.reached.end, bounds_.y1);
-    if (x0 >= x1 || y0 >= y1) return {};
-    return {index(x0, y0),
-            {all_x.first + (x0 - all_x.reached.begin), static_cast<std::size_t>(x1 - x0)},
-            {all_y.first + (y0 - all_y.reached.begin), static_cast<std::size_t>(y1 - y0)}};
-}
-
-template <class Sums>
-template <class Visit>
-void BasicFilmTile<Sums>::for_each_pixel(const Block& block, const Visit& visit) noexcept {
-    std::size_t first = block.first;
-    for (const float y_weight : block.y_weights) {
-        std::size_t i = first;
-        for (const float x_weight : block.x_weights) visit(i++, x_weight * y_weight);
-        first += static_cast<std::size_t>(width_);
-    }
-}
-
-template <class Sums>
 void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sample,
                                  const SpectralSample& spectral) noexcept {
     assert(setup_->options.filter_use == FilterUse::splatted && has_place(x_px, y_px));
+    if (!spread_quickly(x_px, y_px, sample)) [[unlikely]]
+        spread_any(x_px, y_px, sample, spectral);
+}
+
+template <class Sums>
+bool BasicFilmTile<Sums>::spread_quickly(float x_px, float y_px, const SensorSample& sample) noexcept {
+    if constexpr (requires { &Pixel::add_four_by_four; }) {
+        const auto numbers = std::bit_cast<Float4>(sample);
+        if (!plain_footprint_ || !has_place(x_px, y_px)) return false;
+        if (!all((numbers >= least_usual_) & (numbers <= most_usual_))) return false;
+        const auto block = plain_footprint_->four_by_four(x_px, y_px);
+        if (!block || !bounds_.contains(block->x_px, block->y_px)) return false;
+        if (!bounds_.contains(block->x_px + 3, block->y_px + 3)) return false;
+        Pixel::add_four_by_four(&pixels_[index(block->x_px, block->y_px)], width_, block->x_weights, block->y_weights,
+                                numbers);
+        count_if_faint(sample.luminance);
+        spread_touches_ += 16;
+        ++spread_samples_;
+        carry_all_in_time();
+        return true;
+    }
+    return false;
+}
+
+template <class Sums>
+void BasicFilmTile<Sums>::spread_any(float x_px, float y_px, const SensorSample& sample,
+                                     const SpectralSample& spectral) noexcept {
     if (!footprint_ || !has_place(x_px, y_px)) return;
     const float share = kept_share(sample, max_luminance_);
     if (share == 0.0f) {
@@ -203,7 +207,7 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
     }
     const XYZ value = share * sample.xyz;
     const XYZd exact_value{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)};
-    const Block block = block_reached(x_px, y_px);
+    const SplatBlock block = block_reached(*footprint_, bounds_, x_px, y_px, weight_room_);
     if (share < 1.0f) {
         const auto removed = static_cast<double>(sample.luminance - share * sample.luminance);
         double weights = 0.0;
@@ -211,14 +215,15 @@ void BasicFilmTile<Sums>::spread(float x_px, float y_px, const SensorSample& sam
         ++clamped_.count;
         add_to(clamped_.removed_luminance, weights * removed);
     }
-    add_block(pixels_.data() + block.first, width_, block.x_weights, block.y_weights, exact_value);
-    spread_touches_ += block.x_weights.size() * block.y_weights.size();
+    add_block(std::span(pixels_), block, exact_value);
+    spread_touches_ += block.size();
     if (has_channels_ || has_buckets_) [[unlikely]] {
         for_each_pixel(block, [&](std::size_t i, float weight) {
             if (has_channels_) add_channels(i, value, weight);
             if (has_buckets_) add_buckets(i, sample, spectral, weight);
         });
     }
+    count_if_faint(sample.luminance);
     ++spread_samples_;
     carry_all_in_time();
 }
@@ -232,7 +237,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
         return drop(static_cast<int>(std::floor(x_px)), static_cast<int>(std::floor(y_px)), sample, 1.0f);
     }
     const double per_area = 1.0 / footprint_->area_px();
-    for_each_pixel(block_reached(x_px, y_px), [&](std::size_t i, float weight) {
+    for_each_pixel(block_reached(*footprint_, bounds_, x_px, y_px, weight_room_), [&](std::size_t i, float weight) {
         const double density = static_cast<double>(weight) * per_area;
         const std::span<ExactSum> sums = channels_.sums(i);
         const auto at = static_cast<std::size_t>(setup_->channels.light_splat.begin);
@@ -245,6 +250,7 @@ void BasicFilmTile<Sums>::splat_light(float x_px, float y_px, const SensorSample
                    density * coverage * radiance);
         });
     });
+    count_if_faint(sample.luminance);
     ++light_splats_;
 }
 
@@ -267,7 +273,7 @@ void BasicFilmTile<Sums>::add_aux_at(float x_px, float y_px, std::size_t layer,
         ++dropped_aux_;
         return;
     }
-    for_each_pixel(block_reached(x_px, y_px),
+    for_each_pixel(block_reached(*footprint_, bounds_, x_px, y_px, weight_room_),
                    [&](std::size_t i, float weight) { add_aux_to(i, layer, values, weight); });
 }
 
@@ -298,14 +304,9 @@ void BasicFilmTile<Sums>::carry_all_in_time() noexcept {
 
 template <class Sums>
 void BasicFilmTile<Sums>::drop(int x, int y, const SensorSample& sample, float weight) noexcept {
-    DroppedKind kind = DroppedKind::negative_luminance;
     const auto& [value, luminance] = sample;
     const std::array<float, 5> numbers = {value.x, value.y, value.z, luminance, weight};
-    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isinf(v); })) {
-        kind = DroppedKind::infinite;
-    }
-    if (std::any_of(numbers.begin(), numbers.end(), [](float v) { return std::isnan(v); })) kind = DroppedKind::nan;
-    dropped_.add({x, y, kind, value, weight});
+    dropped_.add({x, y, kind_of_dropped(numbers), value, weight});
 }
 
 template class BasicFilmTile<ExactSums>;

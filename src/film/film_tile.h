@@ -16,6 +16,8 @@
 #include "film/film_setup.h"
 #include "film/film_sums.h"
 #include "film/spectral_buckets.h"
+#include "film/splat_block.h"
+#include "film/vectors.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion {
@@ -106,6 +108,8 @@ class BasicFilmTile {
     [[nodiscard]] std::uint64_t sample_count() const noexcept;
     [[nodiscard]] std::uint64_t light_splat_count() const noexcept { return light_splats_; }
     [[nodiscard]] const DroppedSamples& dropped() const noexcept { return dropped_; }
+    /// As FilmCounts::faint says; of sums that are not exact, none.
+    [[nodiscard]] std::uint64_t faint_count() const noexcept { return faint_samples_; }
     [[nodiscard]] std::uint64_t dropped_aux() const noexcept { return dropped_aux_; }
     [[nodiscard]] const ClampedSamples& clamped() const noexcept { return clamped_; }
 
@@ -113,7 +117,8 @@ class BasicFilmTile {
     /// A sample of one pixel, judged by this luminance.
     void accumulate(std::size_t i, int x, int y, XYZ value, float luminance, float weight) noexcept {
         // Products of floats cannot overflow a double: they are finite if, and only if, all four numbers are.
-        const bool usual = luminance >= 0.0f && luminance <= max_luminance_ &&
+        const bool usual = (luminance > Sums::kFaintLuminance_cdm2 || luminance == 0.0f) &&
+                           luminance <= max_luminance_ &&
                            pixels_[i].add(static_cast<double>(value.x), static_cast<double>(value.y),
                                           static_cast<double>(value.z), static_cast<double>(weight));
         if (!usual) [[unlikely]]
@@ -133,21 +138,24 @@ class BasicFilmTile {
     /// Whether the sample counts, and how much of it; 0 if it is kept out.
     [[nodiscard]] static float kept_share(const SensorSample& sample, float max_luminance) noexcept;
     void accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample, float weight) noexcept;
+    void count_if_faint(float luminance) noexcept {
+        if (luminance <= Sums::kFaintLuminance_cdm2) [[unlikely]]
+            count_unless_black(luminance);
+    }
+    void count_unless_black(float luminance) noexcept;
     void add_channels(std::size_t i, XYZ value, float weight) noexcept;
+    void add_squares(std::size_t i, XYZ value, float weight) noexcept;
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
+    /// The usual case of it, without memory on the way from the place to the weights: four by four pixels, all of them
+    /// inside, and nothing to fill but their sums. Does nothing, and says so, in any other.
+    [[nodiscard]] bool spread_quickly(float x_px, float y_px, const SensorSample& sample) noexcept;
+    /// Any other. Out of line: its registers are not to be saved in the usual case.
+    [[gnu::noinline]] void spread_any(float x_px, float y_px, const SensorSample& sample,
+                                      const SpectralSample& spectral) noexcept;
     void splat_light(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
-    /// Pixels of the tile that the filter reaches from a place, and their weights along both axes.
-    struct Block {
-        std::size_t first = 0;
-        std::span<const float> x_weights = {}, y_weights = {};  // in x_weights_ and y_weights_
-    };
-    [[nodiscard]] Block block_reached(float x_px, float y_px) noexcept;
-    /// Calls visit(pixel, weight) for each of them.
-    template <class Visit>
-    void for_each_pixel(const Block& block, const Visit& visit) noexcept;
     [[nodiscard]] bool has_place(float x_px, float y_px) const noexcept {
-        return x_px >= least_x_px_ && x_px <= most_x_px_ && y_px >= least_y_px_ && y_px <= most_y_px_;
+        return all(Float4{x_px, y_px, -x_px, -y_px} >= least_places_);
     }
     [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
     void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;
@@ -168,12 +176,14 @@ class BasicFilmTile {
     static_assert(kSamplesPerCarry <= ExactTilePixel::kAddsPerCarry);
 
     PixelBounds places_, bounds_;
-    float least_x_px_, least_y_px_, most_x_px_, most_y_px_;  // places_
-    std::ptrdiff_t width_, first_;                           // pixel (x, y) is y width_ + x - first_
+    Float4 least_places_;           // of x, y, -x and -y: places_
+    std::ptrdiff_t width_, first_;  // pixel (x, y) is y width_ + x - first_
     std::shared_ptr<const FilmSetup> setup_;
     // Of the setup, at hand for every sample.
     const Sensor* sensor_;
-    const FilterFootprint* footprint_;  // null if nothing is splatted
+    const FilterFootprint* footprint_;                  // null if nothing is splatted
+    const FilterFootprint* plain_footprint_ = nullptr;  // and if samples fill more than their pixels' sums
+    Float4 least_usual_{}, most_usual_{};               // X, Y, Z and luminance of samples that count, and wholly
     float max_luminance_;
     bool has_channels_, has_buckets_, has_more_;
     int mean_groups_;
@@ -182,9 +192,10 @@ class BasicFilmTile {
     ChannelSums channels_;
     int group_ = 0;
     std::uint64_t since_carry_ = 0, spread_samples_ = 0, spread_touches_ = 0, light_splats_ = 0, dropped_aux_ = 0;
+    std::uint64_t faint_samples_ = 0;
     DroppedSamples dropped_;
     ClampedSamples clamped_;
-    std::vector<float> x_weights_, y_weights_;  // of one sample
+    WeightRoom weight_room_;
 };
 
 extern template class BasicFilmTile<ExactSums>;

@@ -55,6 +55,16 @@ double eval(const Filter& filter, FilterAxis axis, double offset_px) noexcept {
     return visit_noexcept([=](const auto& f) { return eval_inside(f, offset_px, radius); }, filter);
 }
 
+bool has_negative_lobes(const Filter& filter) noexcept {
+    // Where polynomials meet 0, values may round to less: 1e-16 of the greatest.
+    constexpr double kRounding = 1e-12;
+    const auto is_negative = [&filter](FilterAxis axis) {
+        const AxisIntegrals integrals = coarse_integrals(filter, axis);
+        return integrals.of_magnitude - integrals.of_f > kRounding * integrals.of_magnitude;
+    };
+    return is_negative(FilterAxis::x) || is_negative(FilterAxis::y);
+}
+
 void validate(const Filter& filter) {
     validate_named(filter, "filter");
     require_normalisable(filter, FilterAxis::x);

@@ -29,6 +29,10 @@ enum class FilterAxis { x, y };
 /// are weighted to a mean of 1 would have weights of more than 1 / kMinIntegral = 1024 in the mean, of both signs.
 inline constexpr double kMinIntegral = 1.0 / 1024.0;
 
+/// Whether f(x, y) is negative anywhere: whether along an axis the integral of f, taken coarsely, is less than that of
+/// |f| by more than what rounds off. Lobes that fall between its points hold next to nothing.
+[[nodiscard]] bool has_negative_lobes(const Filter& filter) noexcept;
+
 /// \throws std::invalid_argument naming the parameter that is out of range, its value and its range; and if the filter
 /// cannot be normalised: its integral along an axis, taken coarsely, is below kMinIntegral, negative or nothing.
 void validate(const Filter& filter);

@@ -1,5 +1,7 @@
 #include "film/filter_footprint.h"
 
+#include <bit>
+
 #include "core/parameters.h"
 #include "film/cubic_fit.h"
 
@@ -25,16 +27,22 @@ double mean_weight_scale(const Filter& filter, FilterAxis axis) {
     return points / sum;
 }
 
-}  // namespace
-
-FilterFootprint::FilterFootprint(const Filter& filter) : filter_(filter) {
+const Filter& checked(const Filter& filter) {
     validate(filter);
     for (const FilterAxis axis : {FilterAxis::x, FilterAxis::y}) {
-        check_range(radius_px(filter, axis), {0.0, kMostRadius_px, RangeEnd::open}, "filter for splatting: radius");
+        check_range(radius_px(filter, axis), {0.0, FilterFootprint::kMostRadius_px, RangeEnd::open},
+                    "filter for splatting: radius");
     }
-    x_ = make_table(FilterAxis::x);
-    y_ = make_table(FilterAxis::y);
+    return filter;
 }
+
+}  // namespace
+
+FilterFootprint::FilterFootprint(const Filter& filter)
+    : filter_(checked(filter)),
+      x_(make_table(FilterAxis::x)),
+      y_(make_table(FilterAxis::y)),
+      cells_per_px_{x_.cells_per_px, y_.cells_per_px, 0.0f, 0.0f} {}
 
 FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     AxisTable table;
@@ -46,6 +54,10 @@ FilterFootprint::AxisTable FilterFootprint::make_table(FilterAxis axis) const {
     constexpr double kCellsPerRadius = 128.0, kMostPerPixel = 128.0;
     const double per_px = 2.0 * std::ceil(0.5 * std::min(kCellsPerRadius / table.radius_px, kMostPerPixel));
     table.cells_per_px = static_cast<float>(per_px);
+    if (const auto cells = static_cast<std::uint32_t>(per_px); std::has_single_bit(cells)) {
+        table.cell_mask = cells - 1;
+        table.cell_bits = static_cast<std::uint32_t>(std::countr_zero(cells));
+    }
     int most = 0;
     for (int i = 0; i < static_cast<int>(per_px); ++i) {
         table.cells.push_back(make_cell(i / per_px, (i + 1) / per_px, table.radius_px));
@@ -103,6 +115,8 @@ void FilterFootprint::add_cubics(AxisTable& table, FilterAxis axis, std::size_t 
         }
     }
     table.cells[cell].has_cubics = is_good;
+    table.cells[cell].is_quick_four = is_good && !table.cells[cell].has_edge && reach.end - reach.begin == 4 &&
+                                      table.row == 4 && table.cell_mask != 0;
     table.coefficients.insert(table.coefficients.end(), coefficients.begin(), coefficients.end());
 }
 

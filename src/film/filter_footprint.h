@@ -6,10 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
 #include <vector>
 
 #include "core/image.h"
 #include "film/filter.h"
+#include "film/vectors.h"
 
 namespace emulsion {
 
@@ -62,6 +66,28 @@ class FilterFootprint {
         return {{phase.pixel + cell.reach.begin, phase.pixel + cell.reach.end}, weights};
     }
 
+    /// 4 x 4 pixels, and their weights along both axes in registers.
+    struct FourByFour {
+        int x_px = 0, y_px = 0;  ///< the first pixel
+        Float4 x_weights{}, y_weights{};
+    };
+    /// What is reached from a place, which must be within 2^22 pixels of 0, where that is 4 x 4 pixels and can be had
+    /// quickly: from all places in pixels from 0 on, under most filters of radius 2. The bits are those of weights().
+    [[nodiscard]] std::optional<FourByFour> four_by_four(float x_px, float y_px) const noexcept {
+        // Cells are counted from place 0. All of it is exact: there is a power of two of cells to a pixel.
+        const Float4 scaled = Float4{x_px, y_px, 0.0f, 0.0f} * cells_per_px_;
+        const Int4 cells = __builtin_convertvector(scaled, Int4);
+        const Float4 t = scaled - __builtin_convertvector(cells, Float4);
+        const auto of_axis = scalars(std::bit_cast<Uint4>(cells));
+        const std::size_t x_cell = of_axis[0] & x_.cell_mask, y_cell = of_axis[1] & y_.cell_mask;
+        const Cell &x = x_.cells[x_cell], &y = y_.cells[y_cell];
+        if (!x.is_quick_four || !y.is_quick_four || !(x_px >= 0.0f) || !(y_px >= 0.0f)) return std::nullopt;
+        return FourByFour{static_cast<int>(of_axis[0] >> x_.cell_bits) + x.reach.begin,
+                          static_cast<int>(of_axis[1] >> y_.cell_bits) + y.reach.begin,
+                          cubics_of_four(x_.coefficients.data() + 16 * x_cell, broadcast<0>(t)),
+                          cubics_of_four(y_.coefficients.data() + 16 * y_cell, broadcast<1>(t))};
+    }
+
     /// One of them, in double precision and with f evaluated at the place.
     [[nodiscard]] double weight_reference(FilterAxis axis, double offset_px) const noexcept;
 
@@ -83,10 +109,19 @@ class FilterFootprint {
         float in_pixel = 0.0f, t = 0.0f;  // in [0, 1)
     };
     struct Cell {
-        Reach reach;              // from anywhere in the cell, if it is in pixel 0
-        bool has_edge = false;    // from parts of it, less is reached
-        bool has_cubics = false;  // or else they will not do there
+        Reach reach;                 // from anywhere in the cell, if it is in pixel 0
+        bool has_edge = false;       // from parts of it, less is reached
+        bool has_cubics = false;     // or else they will not do there
+        bool is_quick_four = false;  // for four_by_four()
     };
+
+    /// The weights of four pixels, from their 16 coefficients.
+    [[nodiscard]] static Float4 cubics_of_four(const float* c, Float4 t) noexcept {
+        using AnyFloat4 [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+        const auto four = [c](int k) -> Float4 { return *reinterpret_cast<const AnyFloat4*>(c + 4 * k); };
+        return four(0) + t * (four(1) + t * (four(2) + t * four(3)));
+    }
+
     // Of pixel cell.reach.begin + k, if the place is in pixel 0: c0 + t (c1 + t (c2 + t c3)). 4 row coefficients to a
     // cell, in blocks of four pixels: their c0, their c1, ...
     struct AxisTable {
@@ -94,6 +129,7 @@ class FilterFootprint {
         double mean_weight_scale = 0.0;  // 2 radius / integral of f
         double mean_square_weight = 0.0;
         float cells_per_px = 0.0f;
+        std::uint32_t cell_bits = 0, cell_mask = 0;  // 2^cell_bits cells to a pixel; 0 if it is no power of two
         std::vector<Cell> cells;
         std::size_t row = 0;  // the most pixels that are reached from a cell, rounded up to fours
         std::vector<float> coefficients;
@@ -106,12 +142,10 @@ class FilterFootprint {
             return {static_cast<int>(pixel), static_cast<std::size_t>(static_cast<int>(cell)), in_pixel, scaled - cell};
         }
         void cubics(std::size_t cell, float t, float* weights) const noexcept {
-            using AnyFloat4 [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
-            const std::size_t end = row;
-            const float* c = coefficients.data() + cell * 4 * end;
-            for (std::size_t i = 0; i < end; i += 4, c += 16) {
-                const auto four = [c](int k) { return *reinterpret_cast<const AnyFloat4*>(c + 4 * k); };
-                *reinterpret_cast<AnyFloat4*>(weights + i) = four(0) + t * (four(1) + t * (four(2) + t * four(3)));
+            const float* c = coefficients.data() + cell * 4 * row;
+            for (std::size_t i = 0; i < row; i += 4, c += 16) {
+                const Float4 four = cubics_of_four(c, Float4{t, t, t, t});
+                std::memcpy(weights + i, &four, sizeof four);
             }
         }
     };
@@ -126,6 +160,7 @@ class FilterFootprint {
 
     Filter filter_;
     AxisTable x_, y_;
+    Float4 cells_per_px_{};  // x's and y's
 };
 
 }  // namespace emulsion

@@ -33,9 +33,24 @@ std::optional<XYZd> median_of_means(std::span<const ExactSum> groups, std::uint3
     return 0.5 * (means[count / 2 - 1] + means[count / 2]);
 }
 
-/// n / (n - 1) (square - mean^2).
-double variance(double mean_square, double mean, double effective_samples) noexcept {
-    return std::max(0.0, effective_samples / (effective_samples - 1.0) * (mean_square - mean * mean));
+/// n of PixelVariance.
+double effective_samples(const PixelSums& sums, const FilmSetup& setup) noexcept {
+    const std::span<const ExactSum> squared_weights = group_of(sums, setup.channels.squared_weights);
+    if (squared_weights.empty()) return static_cast<double>(sums.samples) / setup.mean_square_weight;
+    return sums.weighted.weight * sums.weighted.weight / squared_weights.back().value();
+}
+
+/// Of the component that has square `k`, at least two samples and an n above 1.
+double variance(const PixelSums& sums, const FilmSetup& setup, std::size_t k, double mean) noexcept {
+    const double square = sums.squares[k].value();
+    const std::span<const ExactSum> squared_weights = group_of(sums, setup.channels.squared_weights);
+    if (squared_weights.empty()) {
+        const double n = effective_samples(sums, setup);
+        return std::max(0.0, n / (n - 1.0) * (square / sums.weighted.weight - mean * mean));
+    }
+    const double m = static_cast<double>(sums.samples), weights = squared_weights.back().value();
+    const double deviations = square - mean * (2.0 * squared_weights[k].value() - mean * weights);
+    return std::max(0.0, m / (m - 1.0) * (deviations / weights));
 }
 
 }  // namespace
@@ -65,19 +80,20 @@ XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t
 PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept {
     PixelVariance result;
     const std::optional<XYZd> mean = mean_of(sums);
-    const double effective = static_cast<double>(sums.samples) / setup.mean_square_weight;
-    if (!mean || sums.samples < 2 || !(effective > 1.0) || sums.squares.empty()) return result;
-    const auto fill = [&](double XYZd::*component, const SquareSum& square) {
-        result.variance.*component = variance(square.value() / sums.weighted.weight, (*mean).*component, effective);
-        result.standard_error.*component = std::sqrt(result.variance.*component / effective);
+    if (!mean || sums.samples < 2 || sums.squares.empty()) return result;
+    const double n = effective_samples(sums, setup);
+    if (!(n > 1.0)) return result;
+    const auto fill = [&](double XYZd::*component, std::size_t k) {
+        result.variance.*component = variance(sums, setup, k, (*mean).*component);
+        result.standard_error.*component = std::sqrt(result.variance.*component / n);
     };
     if (sums.squares.size() == 1) {
-        fill(&XYZd::y, sums.squares[0]);
+        fill(&XYZd::y, 0);
         return result;
     }
-    fill(&XYZd::x, sums.squares[0]);
-    fill(&XYZd::y, sums.squares[1]);
-    fill(&XYZd::z, sums.squares[2]);
+    fill(&XYZd::x, 0);
+    fill(&XYZd::y, 1);
+    fill(&XYZd::z, 2);
     return result;
 }
 

@@ -39,20 +39,25 @@ struct PixelSums {
 [[nodiscard]] XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t light_paths) noexcept;
 
 /// Variance and standard error, each of luminance or of X, Y and Z as FilmVariance says; 0 for a pixel without value
-/// and for one with a single sample.
+/// and for one with a single sample. Both hold for samples that are independent of each other. Stratified and
+/// low-discrepancy samples do better, so that their error is overestimated.
 ///
+/// Under filters without negative lobes, variance = n / (n - 1) (sum(w v^2) / sum(w) - R^2), R = sum(w v) / sum(w), and
 /// n is Kish's effective number of samples, their number over the mean square weight that the filter has by itself
-/// (FilmSetup): what n samples of weight 1 would be as good as. Exact, but for terms of the order of 1/n, for samples
-/// that are independent of each other and, where weights are not all the same, of their weights. Stratified and
-/// low-discrepancy samples do better than independent ones, so that their error is overestimated.
-/// Under filters with negative lobes samples in a lobe count against the variance: at edges it is too small there, down
-/// to 0. Where errors decide about anything, take a filter without.
-/// Source: Kish, "Survey Sampling", 1965, section 11.7.
+/// (FilmSetup): what n samples of weight 1 would be as good as. With weights of 1 that is the usual unbiased estimate;
+/// with others samples near the pixel's centre count more, and it is exact, but for terms of the order of 1/n, for
+/// samples that are independent of their weights.
+///
+/// Under filters with negative lobes (has_negative_lobes()) that variance would be too small at edges, down to 0: there
+/// samples in a lobe count against it. These films have sums of squared weights, and
+///     variance = m / (m - 1) sum(w^2 (v - R)^2) / sum(w^2),    n = sum(w)^2 / sum(w^2),
+/// of m samples that reach the pixel: so the square of the standard error is that of a ratio of two means of m
+/// independent pairs (w v, w), linearised, which is right to the order of 1/n for samples that depend on their weights
+/// as well. Samples count by the squares of their weights, those in a lobe too.
+/// Sources: Kish, "Survey Sampling", 1965, section 11.7, for n; Cochran, "Sampling Techniques", 3rd edition, 1977,
+/// chapter 6, for ratios.
 struct PixelVariance {
-    /// Of the samples: n / (n - 1) (sum(w v^2) / sum(w) - (sum(w v) / sum(w))^2), at least 0; the square of cd/m^2
-    /// times the imaging ratio. With weights of 1 it is the usual unbiased estimate; with others samples near the
-    /// pixel's centre count more.
-    XYZd variance;
+    XYZd variance;        ///< of the samples, at least 0; the square of cd/m^2 times the imaging ratio
     XYZd standard_error;  ///< of the pixel: sqrt(variance / n); cd/m^2 times the imaging ratio
 };
 [[nodiscard]] PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcept;

@@ -17,6 +17,8 @@ void require_length(const char* array, std::size_t length, std::size_t expected)
 
 /// All in one step, without a branch by pixel, so that the compiler takes several at a time.
 bool all_inside(const BatchPixels& pixels, const PixelBounds& bounds) noexcept {
+    // Of bounds without pixels there is no last one: what is below would wrap, and let everything in.
+    if (bounds.width() < 1 || bounds.height() < 1) return pixels.x_px.empty();
     const auto x0 = static_cast<std::uint32_t>(bounds.x0), y0 = static_cast<std::uint32_t>(bounds.y0);
     const auto last_x = static_cast<std::uint32_t>(bounds.width() - 1);
     const auto last_y = static_cast<std::uint32_t>(bounds.height() - 1);

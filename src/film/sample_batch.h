@@ -1,7 +1,8 @@
 #pragma once
 // Samples in batches, as arrays: what a renderer has that traces whole waves of paths, and what the C interface takes.
 // A batch goes into a tile whole or not at all: everything is checked before the first sample is added. What comes out
-// is, bit for bit, what as many calls of BasicFilmTile::add give.
+// is, bit for bit, what as many calls of BasicFilmTile::add give. (A number of wavelengths that is no power of two goes
+// as the next one, with wavelengths that carry nothing and densities that are as much smaller.)
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "film/camera_fit.h"
 #include "film/camera_response.h"
@@ -47,8 +48,12 @@ struct SensorOptions {
 void validate(const SensorOptions& options);
 
 /// All options in a line, for people and for files: "exposure-time=1 iso=100 observer=cie-1931-2deg white-balance=none
-/// camera=none". Sensors of the same text see the same: of a camera it has the name (of a file, without its folders)
-/// and a hash of its curves and its training.
+/// camera=none". Sensors of the same text see the same: of a camera it has a hash of its curves and its training, and
+/// the name (of a file, without its folders).
 [[nodiscard]] std::string to_text(const SensorOptions& options);
+
+/// What of such a text tells whether two sensors see the same: all but the name of the camera, which is for people. The
+/// same curves in files of two names are the same camera.
+[[nodiscard]] std::string_view without_camera_name(std::string_view sensor_text) noexcept;
 
 }  // namespace emulsion

@@ -121,4 +121,11 @@ std::string to_text(const SensorOptions& options) {
            " camera=" + (options.camera ? camera_text(*options.camera) : "none");
 }
 
+std::string_view without_camera_name(std::string_view sensor_text) noexcept {
+    constexpr std::string_view kCamera = " camera=";
+    const std::size_t camera = sensor_text.find(kCamera);
+    if (camera == std::string_view::npos) return sensor_text;
+    return sensor_text.substr(0, sensor_text.find(':', camera + kCamera.size()));
+}
+
 }  // namespace emulsion

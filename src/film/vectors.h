@@ -35,6 +35,16 @@ template <int I>
 #endif
 }
 
+/// Whether a comparison is true in all four places.
+[[nodiscard]] inline bool all(Int4 comparison) noexcept {
+#ifdef __SSE4_1__
+    return _mm_movemask_ps(std::bit_cast<__m128>(comparison)) == 0b1111;
+#else
+    const auto pairs = std::bit_cast<Uint2>(comparison);
+    return (pairs[0] & pairs[1]) == ~std::uint64_t{0};
+#endif
+}
+
 /// Whether no number has a bit that `mask` has.
 [[nodiscard]] inline bool are_disjoint(Uint4 numbers, Uint4 mask) noexcept {
 #ifdef __SSE4_1__

@@ -150,7 +150,7 @@ void validate(const RenderOptions& options) {
     const auto refuse = [](const std::string& field, auto value, const std::string& range) {
         throw std::invalid_argument(field + " " + std::to_string(value) + ": must be " + range);
     };
-    if (options.samples_per_pixel < 1 || options.samples_per_pixel > (1 << 24)) {
+    if (options.samples_per_pixel < 1 || options.samples_per_pixel > kMostSamplesPerPixel) {
         refuse("samples_per_pixel", options.samples_per_pixel, "in [1, 16777216]");
     }
     const SampleRange samples = samples_of(options);

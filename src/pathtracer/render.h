@@ -12,8 +12,11 @@
 
 namespace emulsion {
 
+inline constexpr int kMostSamplesPerPixel = 1 << 24;
+
 struct RenderOptions {
-    int samples_per_pixel = 16;  ///< in [1, 2^24]; of the whole picture: a stratified sampler's strata depend on it
+    /// In [1, kMostSamplesPerPixel]; of the whole picture: a stratified sampler's strata depend on it.
+    int samples_per_pixel = 16;
     /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
     std::optional<SampleRange> samples = std::nullopt;
     std::uint64_t seed = 0;  ///< another seed, another independent picture

@@ -47,19 +47,24 @@ class DistinctFiles : public ::testing::Test {
 TEST_F(DistinctFiles, ArgumentsThatAreOneFileAreBadUsage) {
     std::filesystem::create_symlink("scene.exr", folder_.path() / "link.exr");
     std::filesystem::create_symlink("not-yet.exr", folder_.path() / "dangling.exr");
-    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "u.exr"});
-    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "./u.exr"});
-    expect_refused({"render", "small.pbrt", "-o", folder_.file("u.exr"), "--png", "u.exr"});
-    expect_refused({"render", "small.pbrt", "-o", "dangling.exr", "--png", "not-yet.exr"});
-    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "./small.pbrt"});
+    std::filesystem::create_symlink("u.exr", folder_.path() / "u.png");
+    std::filesystem::create_symlink("small.pbrt", folder_.path() / "small.png");
+    std::filesystem::create_symlink("scene.exr", folder_.path() / "scene.png");
+    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "u.png"});
+    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "./u.png"});
+    expect_refused({"render", "small.pbrt", "-o", folder_.file("u.exr"), "--png", "u.png"});
+    std::filesystem::create_symlink("not-yet.exr", folder_.path() / "dangling.png");
+    expect_refused({"render", "small.pbrt", "-o", "dangling.exr", "--png", "dangling.png"});
+    expect_refused({"render", "small.pbrt", "-o", "u.exr", "--png", "./small.png"});
     expect_refused({"render", "scene.exr", "-o", "scene.exr"});
     expect_refused({"render", "scene.exr", "-o", "link.exr"});
-    expect_refused({"develop", "scene.exr", "-o", "scene.exr"});
-    expect_refused({"develop", "scene.exr", "-o", "link.exr"});
+    expect_refused({"develop", "scene.exr", "-o", "scene.png"});
+    expect_refused({"develop", "link.exr", "-o", "scene.png"});
 }
 
 TEST_F(DistinctFiles, TheScenesOwnNameForTheExrIsMinded) {
-    expect_refused({"render", "small.pbrt", "--png", "small.exr"});
+    std::filesystem::create_symlink("small.exr", folder_.path() / "small.png");
+    expect_refused({"render", "small.pbrt", "--png", "small.png"});
     std::filesystem::create_symlink("small.pbrt", folder_.path() / "small.exr");
     expect_refused({"render", "small.pbrt"});
 }

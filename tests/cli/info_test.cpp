@@ -103,20 +103,23 @@ TEST_F(InfoProgram, TellsAboutFilmStates) {
     write_film_state(state_, state, {.space = "sRGB", .pixel_type = PixelType::half});
     EXPECT_THAT(
         text_of(state_),
-        AllOf(HasSubstr("film state, "), HasSubstr("10x6 pixels, [2, 12) x [1, 7) of the frame [0, 12) x [0, 8)"),
-              HasSubstr("R G B, linear sRGB, 16-bit floats"), HasSubstr("white luminance  2 cd/m^2\n"),
-              HasSubstr("albedo (B G R), samples, standard-error (Y), variance (Y)\n"),
-              HasSubstr("2 to 3 of each pixel, 179 in all\n"),
-              HasSubstr("1 NaN, 0 infinite, 0 of negative luminance\n"), HasSubstr("  pixel (3, 2): XYZ ("),
-              HasSubstr("sample ranges    0-3,16-20\n"), HasSubstr("partial round    32-64, in 3 of 6 tiles\n"),
-              HasSubstr("scene            cafe0123\n"), HasSubstr("firefly control  none\n"),
-              HasSubstr("command line     render it\n")));
-    EXPECT_THAT(json_of(state_),
-                AllOf(HasSubstr("\"kind\": \"film state\""), HasSubstr("\"data_window\": [2, 1, 12, 7]"),
-                      HasSubstr("\"samples_per_pixel\": 2,"), HasSubstr("\"most_samples_per_pixel\": 3,"),
-                      HasSubstr("\"dropped\": {\"nan\": 1, \"infinite\": 0, \"negative_luminance\": 0}"),
-                      HasSubstr("\"sample_ranges\": [[0, 3], [16, 20]]"),
-                      HasSubstr("\"partial_round\": {\"begin\": 32, \"end\": 64, \"tiles\": 6, \"done\": 3}")));
+        AllOf(
+            HasSubstr("film state, "), HasSubstr("10x6 pixels, [2, 12) x [1, 7) of the frame [0, 12) x [0, 8)"),
+            HasSubstr("R G B, linear sRGB, 16-bit floats"), HasSubstr("white luminance  2 cd/m^2\n"),
+            HasSubstr("albedo (B G R), samples, standard-error (Y), variance (Y)\n"),
+            HasSubstr("samples          7 to 39 of each pixel, 179 in all\n                 2 to 3 reach each pixel\n"),
+            HasSubstr("1 NaN, 0 infinite, 0 of negative luminance\n"), HasSubstr("  pixel (3, 2): XYZ ("),
+            HasSubstr("sample ranges    0-3,16-20\n"), HasSubstr("partial round    32-64, in 3 of 6 tiles\n"),
+            HasSubstr("scene            cafe0123\n"), HasSubstr("firefly control  none\n"),
+            HasSubstr("command line     render it\n")));
+    EXPECT_THAT(
+        json_of(state_),
+        AllOf(HasSubstr("\"kind\": \"film state\""), HasSubstr("\"data_window\": [2, 1, 12, 7]"),
+              HasSubstr("\"samples_per_pixel\": 3,"), HasSubstr("\"most_samples_per_pixel\": 39,"),
+              HasSubstr("\"fewest_samples_reaching_a_pixel\": 2,"), HasSubstr("\"most_samples_reaching_a_pixel\": 3,"),
+              HasSubstr("\"dropped\": {\"nan\": 1, \"infinite\": 0, \"negative_luminance\": 0}"),
+              HasSubstr("\"sample_ranges\": [[0, 3], [16, 20]]"),
+              HasSubstr("\"partial_round\": {\"begin\": 32, \"end\": 64, \"tiles\": 6, \"done\": 3}")));
 }
 
 TEST_F(InfoProgram, TellsAboutFilmPictures) {
@@ -126,17 +129,19 @@ TEST_F(InfoProgram, TellsAboutFilmPictures) {
     picture(1, 0).y = 0.0f;
     picture(2, 0).y = -1.0f;
     picture(0, 1).y = 2.0f;
-    write_exr(exr_, picture, {.samples_per_pixel = 5, .sample_count = 31, .seed = 9, .filter = "box:x-radius=0.5"},
+    write_exr(exr_, picture,
+              {.samples_per_pixel = 5, .sample_count = 31, .faint_count = 4, .seed = 9, .filter = "box:x-radius=0.5"},
               {.white_luminance_cdm2 = 8.0});
     EXPECT_THAT(text_of(exr_),
                 AllOf(HasSubstr("film picture, "), HasSubstr("size             3x2 pixels\n"),
                       HasSubstr("X Y Z, 32-bit floats"), HasSubstr("luminance        8 to 32 cd/m^2\n"),
                       HasSubstr("log-average      13.4543 cd/m^2\n"),  // 8 (4 * 1 * 1 * 2)^(1/4)
                       HasSubstr("left out: 1 pixel of luminance 0\n"), HasSubstr("left out: 1 pixel of negative"),
-                      HasSubstr("at least 5 of each pixel, 31 in all\n"), HasSubstr("dropped          none\n")));
+                      HasSubstr("at least 5 of each pixel, 31 in all\n"), HasSubstr("dropped          none\n"),
+                      HasSubstr("too faint        4\n")));
     EXPECT_THAT(json_of(exr_), AllOf(HasSubstr("\"kind\": \"film picture\""), HasSubstr("\"min_positive_cdm2\": 8,"),
                                      HasSubstr("\"log_average_cdm2\": 13.4543"), HasSubstr("\"zero_pixels\": 1,"),
-                                     HasSubstr("\"negative_pixels\": 1,")));
+                                     HasSubstr("\"negative_pixels\": 1,"), HasSubstr("\"faint\": 4,")));
 }
 
 // Channels X Y and Q: no picture that we know.

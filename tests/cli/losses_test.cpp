@@ -41,12 +41,24 @@ TEST_F(Losses, PixelsWithoutAValueAreCounted) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, ContainsRegex("emulsion: warning: [1-9][0-9]* of 1200 pixels have no value"));
     EXPECT_EQ(render(sky("1"), {"--spp", "1"}).err, "");
+    // No weight of a Gaussian cancels another, but one sample at its rim has next to none.
+    const ProgramResult rim =
+        render(sky("1"), {"--spp", "1", "--splat", "--filter", "gaussian:x-radius=0.5,y-radius=0.5,sigma=0.1"});
+    EXPECT_THAT(rim.err, ContainsRegex("[1-9][0-9]* of 1200 pixels have no value and are 0: no good samples, or too "
+                                       "little weight of the filter"));
 }
 
 TEST_F(Losses, SaturatedPixelsAreCounted) {
     const ProgramResult result = render(sky("1e36"), {"--spp", "4", "--wavelengths", "32"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err, HasSubstr("1200 pixels have left the range of the film's sums"));
+}
+
+TEST_F(Losses, SamplesTooFaintForTheSumsAreCounted) {
+    const ProgramResult result = render(sky("1e-25"), {"--spp", "4"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err,
+                HasSubstr("4800 of 4800 samples are too faint for the film's sums, at most 2.8e-14 cd/m^2"));
 }
 
 TEST_F(Losses, ValuesTooLargeForTheFileAreCounted) {

@@ -100,6 +100,15 @@ TEST_F(MergeProgram, OneFilmAloneIsWrittenAnew) {
     EXPECT_EQ(read_exr(exr_).metadata.sample_count, 287u);
 }
 
+TEST_F(MergeProgram, SaysWhatAFilmThatWasStoppedHas) {
+    FilmState state = film_state(small_film(), 0, 3);
+    state.provenance.partial = PartialRound{{3, 8}, 4, {1, 0, 0, 1, 1, 0}};
+    write_film_state(a_, state);
+    const ProgramResult result = merge({a_, "-o", out_});
+    EXPECT_THAT(result.out, StartsWith("1 film, 12x8 pixels, samples 0-3 (and 3-8 in 3 of 6 tiles): 3 to 8 of each "
+                                       "pixel\n"));
+}
+
 TEST_F(MergeProgram, ThePngIsThatOfDevelop) {
     const std::string again = folder_.file("again.png");
     for (const char* compression : {"zip", "dwaa"}) {
@@ -123,7 +132,13 @@ TEST_F(MergeProgram, RefusesWhatDoesNotBelongTogether) {
                    other + " does not go with " + a_ +
                        ": films do not belong together: scene is \"cafe0123\" of one "
                        "and \"beef\" of the other");
-    expect_refused({a_, b_, other, "-o", out_}, 1, other + " does not go with " + a_ + " and those after it: ");
+    expect_refused({a_, b_, other, "-o", out_}, 1, other + " does not go with " + a_ + " and " + b_ + ": ");
+    expect_refused({a_, b_, c_, other, "-o", out_}, 1,
+                   other + " does not go with " + a_ + ", " + b_ + " and " + c_ + ": ");
+    const std::string d = folder_.file("d.film.exr");
+    write_film_state(d, film_state(small_film(), 10, 11));
+    expect_refused({a_, b_, c_, d, other, "-o", out_}, 1,
+                   other + " does not go with " + a_ + ", " + b_ + ", " + c_ + " and 1 more: ");
     write_film_state(other, film_state(small_film(), 2, 5));
     expect_refused({a_, other, "-o", out_}, 1, "2-5 overlaps 0-3");
     state = film_state(small_film(), 8, 9);

@@ -194,6 +194,27 @@ TEST_F(RenderState, RefusesStatesOfOtherRenders) {
     expect_refused({"--spp", "16"}, "a stratified sampler's strata depend on --spp");
 }
 
+// Each of 8 samples reaches 16 pixels and more: what people ask for, and pay for, is 8.
+TEST_F(RenderState, SplattedSamplesAreCountedOnce) {
+    const std::string filter = "mitchell:x-radius=2,y-radius=2", eight = "48x32 pixels, 8 samples each, in ";
+    for (const std::string& name : {file("a.exr"), file("a.film.exr")}) {
+        const ProgramResult result = render({"-o", name, "--spp", "8", "--splat", "--filter", filter});
+        EXPECT_THAT(result.out, StartsWith(eight)) << result.err;
+        EXPECT_EQ(read_exr(name).metadata.samples_per_pixel, 8);
+    }
+    // Places up to 2 px outside the picture reach into it.
+    const std::string count = std::to_string(8 * 52 * 36);
+    EXPECT_THAT(run_program({"info", file("a.exr")}).out,
+                HasSubstr(" at least 8 of each pixel, " + count + " in all\n"));
+    const std::string info = run_program({"info", file("a.film.exr")}).out;
+    EXPECT_THAT(info, HasSubstr("samples          8 of each pixel, " + count + " in all\n                 1"));
+    EXPECT_THAT(info, HasSubstr(" reach each pixel\n"));
+    const std::string json = run_program({"info", "--json", file("a.film.exr")}).out;
+    EXPECT_THAT(json, HasSubstr("\"samples_per_pixel\": 8,"));
+    EXPECT_THAT(json, HasSubstr("\"most_samples_per_pixel\": 8,"));
+    EXPECT_THAT(json, ::testing::ContainsRegex("\"fewest_samples_reaching_a_pixel\": 1[0-9][0-9],"));
+}
+
 TEST_F(RenderState, LayersAndCropAreInTheFile) {
     const ProgramResult result =
         render({"-o", file("a.exr"), "--crop", "8,4,40,28", "--aov", "depth,normal", "--variance", "luminance",

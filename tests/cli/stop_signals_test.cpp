@@ -3,12 +3,15 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "core/atomic_file.h"
 #include "film/exr_file.h"
 #include "run_program.h"
 #include "scenes.h"
@@ -25,13 +28,16 @@ class StopSignal : public ::testing::Test {
   protected:
     StopSignal() { write_text(scene_, kSmallScene); }
 
-    /// Returns when the child writes its film, or has ended.
+    /// Returns when the child writes its film, or has ended. What is being written has no name, or a hidden one.
     void wait_for_writing(pid_t child) const {
         while (!ended(child)) {
-            for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-                std::error_code gone;
-                const auto size = std::filesystem::file_size(entry.path(), gone);
-                if (!gone && size > 0 && entry.path().extension() == ".tmp") return;
+            std::error_code gone;
+            for (const auto& opened :
+                 std::filesystem::directory_iterator("/proc/" + std::to_string(child) + "/fd", gone)) {
+                const std::string name = std::filesystem::read_symlink(opened.path(), gone).string();
+                const bool is_temporary = name.ends_with(" (deleted)") || name.ends_with(".tmp");
+                if (!name.starts_with(folder_.path().string() + "/") || !is_temporary) continue;
+                if (const auto size = std::filesystem::file_size(opened.path(), gone); !gone && size > 0) return;
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -71,6 +77,22 @@ TEST_F(StopSignal, ASecondOneEndsTheProcess) {
     };
     EXPECT_EQ(run_program(large_, {.while_running = insist}).exit_code, -1);
     EXPECT_FALSE(std::filesystem::exists(exr_));
+}
+
+TEST_F(StopSignal, KilledWhileItWritesItLeavesNothingButTheOldFile) {
+    if (AtomicFile(exr_).temporary_path().parent_path() == folder_.path()) {
+        GTEST_SKIP() << "no files without a name in " << folder_.path();
+    }
+    const auto kill = [this](pid_t child) {
+        wait_for_writing(child);
+        ::kill(child, SIGKILL);
+    };
+    EXPECT_EQ(run_program(large_, {.while_running = kill}).exit_code, -1);
+    EXPECT_THAT(folder_.names(), ElementsAre("small.pbrt"));
+    write_text(exr_, "precious");
+    EXPECT_EQ(run_program(large_, {.while_running = kill}).exit_code, -1);
+    EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "small.pbrt"));
+    EXPECT_EQ(read_text(exr_), "precious");
 }
 
 TEST_F(StopSignal, WhatTheProcessWasStartedToIgnoreStaysIgnored) {

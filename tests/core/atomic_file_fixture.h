@@ -25,6 +25,13 @@ class AtomicFileTest : public testing::Test {
     TemporaryFolder folder_;
 };
 
+/// The same for files without a name and with a hidden one.
+class EitherAtomicFile : public AtomicFileTest, public testing::WithParamInterface<TemporaryName> {};
+
+inline std::string name_of(const testing::TestParamInfo<TemporaryName>& info) {
+    return info.param == TemporaryName::none ? "WithoutAName" : "WithAHiddenName";
+}
+
 inline auto throws_io_error(const std::string& reason) {
     return testing::Throws<IoError>(testing::Property(&IoError::reason, testing::HasSubstr(reason)));
 }

@@ -1,5 +1,6 @@
 #include "core/atomic_file.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "atomic_file_fixture.h"
@@ -18,11 +20,15 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::StartsWith;
 
-TEST_F(AtomicFileTest, AppearsOnlyWhenCommitted) {
-    AtomicFile file(folder() / "a.exr");
+// Those of atomic_file_refusal_test.cpp too.
+INSTANTIATE_TEST_SUITE_P(AtomicFile, EitherAtomicFile, testing::Values(TemporaryName::none, TemporaryName::hidden),
+                         name_of);
+
+TEST_P(EitherAtomicFile, AppearsOnlyWhenCommitted) {
+    AtomicFile file(folder() / "a.exr", GetParam());
     EXPECT_EQ(file.path(), folder() / "a.exr");
-    EXPECT_EQ(file.temporary_path().parent_path(), folder()) << "a rename is whole only within a file system";
     write_text(file.temporary_path(), "whole");
     EXPECT_FALSE(fs::exists(file.path()));
     file.commit();
@@ -30,51 +36,51 @@ TEST_F(AtomicFileTest, AppearsOnlyWhenCommitted) {
     EXPECT_THAT(names(), ElementsAre("a.exr"));
 }
 
-TEST_F(AtomicFileTest, LeavesNothingWhenDropped) {
-    { const AtomicFile file(folder() / "a.exr"); }
+TEST_P(EitherAtomicFile, LeavesNothingWhenDropped) {
+    { const AtomicFile file(folder() / "a.exr", GetParam()); }
     EXPECT_THAT(names(), IsEmpty());
 }
 
-TEST_F(AtomicFileTest, LeavesTheOldFileWhenDropped) {
+TEST_P(EitherAtomicFile, LeavesTheOldFileWhenDropped) {
     write_text(folder() / "a.exr", "old");
     {
-        const AtomicFile file(folder() / "a.exr");
+        const AtomicFile file(folder() / "a.exr", GetParam());
         write_text(file.temporary_path(), "half of the n");
     }
     EXPECT_THAT(names(), ElementsAre("a.exr"));
     EXPECT_EQ(read_text(folder() / "a.exr"), "old");
 }
 
-TEST_F(AtomicFileTest, ReplacesTheOldFile) {
+TEST_P(EitherAtomicFile, ReplacesTheOldFile) {
     write_text(folder() / "a.exr", "old and longer");
-    AtomicFile file(folder() / "a.exr");
+    AtomicFile file(folder() / "a.exr", GetParam());
     write_text(file.temporary_path(), "new");
     file.commit();
     EXPECT_EQ(read_text(folder() / "a.exr"), "new");
     EXPECT_THAT(names(), ElementsAre("a.exr"));
 }
 
-TEST_F(AtomicFileTest, AReaderOfTheOldFileKeepsIt) {
+TEST_P(EitherAtomicFile, AReaderOfTheOldFileKeepsIt) {
     write_text(folder() / "a.exr", "old");
     std::ifstream reader(folder() / "a.exr");
-    AtomicFile file(folder() / "a.exr");
+    AtomicFile file(folder() / "a.exr", GetParam());
     write_text(file.temporary_path(), "new");
     file.commit();
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
 }
 
-TEST_F(AtomicFileTest, NewFilesHaveThePermissionsOfAnOrdinaryFile) {
+TEST_P(EitherAtomicFile, NewFilesHaveThePermissionsOfAnOrdinaryFile) {
     write_text(folder() / "ordinary", "");
-    AtomicFile file(folder() / "a.exr");
+    AtomicFile file(folder() / "a.exr", GetParam());
     file.commit();
     EXPECT_EQ(fs::status(folder() / "a.exr").permissions(), fs::status(folder() / "ordinary").permissions());
 }
 
-TEST_F(AtomicFileTest, TakesANameWithoutAFolder) {
+TEST_P(EitherAtomicFile, TakesANameWithoutAFolder) {
     const fs::path before = fs::current_path();
     fs::current_path(folder());
     {
-        AtomicFile file("plain.exr");
+        AtomicFile file("plain.exr", GetParam());
         write_text(file.temporary_path(), "here");
         file.commit();
     }
@@ -83,23 +89,22 @@ TEST_F(AtomicFileTest, TakesANameWithoutAFolder) {
     EXPECT_EQ(read_text(folder() / "plain.exr"), "here");
 }
 
-TEST_F(AtomicFileTest, FollowsASymbolicLink) {
+TEST_P(EitherAtomicFile, FollowsASymbolicLink) {
     fs::create_directory(folder() / "elsewhere");
     write_text(folder() / "elsewhere" / "real.exr", "old");
     fs::create_symlink("elsewhere/real.exr", folder() / "link.exr");
-    AtomicFile file(folder() / "link.exr");
+    AtomicFile file(folder() / "link.exr", GetParam());
     write_text(file.temporary_path(), "new");
     file.commit();
     EXPECT_TRUE(fs::is_symlink(folder() / "link.exr"));
     EXPECT_EQ(read_text(folder() / "elsewhere" / "real.exr"), "new");
 }
 
-TEST_F(AtomicFileTest, CreatesWhatADanglingLinkPointsTo) {
+TEST_P(EitherAtomicFile, CreatesWhatADanglingLinkPointsTo) {
     fs::create_directory(folder() / "elsewhere");
     fs::create_symlink("elsewhere/second", folder() / "first");
     fs::create_symlink(folder() / "elsewhere" / "real.exr", folder() / "elsewhere" / "second");
-    AtomicFile file(folder() / "first");
-    EXPECT_EQ(file.temporary_path().parent_path(), folder() / "elsewhere");
+    AtomicFile file(folder() / "first", GetParam());
     write_text(file.temporary_path(), "new");
     file.commit();
     EXPECT_TRUE(fs::is_symlink(folder() / "first"));
@@ -108,12 +113,12 @@ TEST_F(AtomicFileTest, CreatesWhatADanglingLinkPointsTo) {
     EXPECT_THAT(names(), ElementsAre("elsewhere", "first"));
 }
 
-TEST_F(AtomicFileTest, AReplacedFileKeepsItsPermissions) {
+TEST_P(EitherAtomicFile, AReplacedFileKeepsItsPermissions) {
     // Among them one that would keep the writer from reading and one wider than any usual mask.
     for (const unsigned mode : {0600u, 0640u, 0200u, 0666u, 0755u}) {
         write_text(folder() / "a.exr", "old");
         fs::permissions(folder() / "a.exr", static_cast<fs::perms>(mode));
-        AtomicFile file(folder() / "a.exr");
+        AtomicFile file(folder() / "a.exr", GetParam());
         EXPECT_EQ(fs::status(file.temporary_path()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
         write_text(file.temporary_path(), "new");
         file.commit();
@@ -122,6 +127,47 @@ TEST_F(AtomicFileTest, AReplacedFileKeepsItsPermissions) {
         EXPECT_EQ(read_text(folder() / "a.exr"), "new");
         fs::remove(folder() / "a.exr");
     }
+}
+
+/// Runs `work`, which ends in a SIGKILL, in a process of its own.
+template <class Work>
+void killed_after(const Work& work) {
+    const ::pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        work();
+        ::_exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST_F(AtomicFileTest, AKilledProcessLeavesNothing) {
+    // A file system that has no files without a name gives them hidden ones.
+    if (AtomicFile(folder() / "a.exr").temporary_path().parent_path() == folder()) GTEST_SKIP() << folder();
+    killed_after([this] {
+        const AtomicFile file(folder() / "a.exr");
+        write_text(file.temporary_path(), "half");
+        ::kill(::getpid(), SIGKILL);
+    });
+    EXPECT_THAT(names(), IsEmpty());
+    write_text(folder() / "a.exr", "old");
+    killed_after([this] {
+        const AtomicFile file(folder() / "a.exr");
+        write_text(file.temporary_path(), "half");
+        ::kill(::getpid(), SIGKILL);
+    });
+    EXPECT_THAT(names(), ElementsAre("a.exr"));
+    EXPECT_EQ(read_text(folder() / "a.exr"), "old");
+}
+
+TEST_F(AtomicFileTest, AKilledProcessLeavesAHiddenName) {
+    killed_after([this] {
+        const AtomicFile file(folder() / "a.exr", TemporaryName::hidden);
+        ::kill(::getpid(), SIGKILL);
+    });
+    EXPECT_THAT(names(), ElementsAre(StartsWith(".a.exr.")));
 }
 
 TEST_F(AtomicFileTest, KnowsOneFileByItsManyNames) {
@@ -153,7 +199,7 @@ TEST_F(AtomicFileTest, CheckWritableLeavesNoTrace) {
     EXPECT_EQ(read_text(folder() / "b.exr"), "old");
 }
 
-TEST_F(AtomicFileTest, ConcurrentWritersEachWriteAWholeFile) {
+TEST_P(EitherAtomicFile, ConcurrentWritersEachWriteAWholeFile) {
     constexpr int kWriters = 8, kRounds = 20;
     constexpr std::size_t kSize = 64 * 1024;
     std::vector<std::thread> writers;
@@ -161,7 +207,7 @@ TEST_F(AtomicFileTest, ConcurrentWritersEachWriteAWholeFile) {
     for (int w = 0; w < kWriters; ++w) {
         writers.emplace_back([&, w] {
             for (int round = 0; round < kRounds; ++round) {
-                AtomicFile file(folder() / "shared.exr");
+                AtomicFile file(folder() / "shared.exr", GetParam());
                 write_text(file.temporary_path(), std::string(kSize, static_cast<char>('a' + w)));
                 file.commit();
                 const std::string seen = read_text(folder() / "shared.exr");

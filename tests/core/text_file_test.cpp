@@ -33,7 +33,7 @@ TEST(ReadTextFile, GivesEveryByte) {
 TEST(ReadTextFile, SaysWhyItCant) {
     const TemporaryFolder folder;
     EXPECT_THAT([&] { static_cast<void>(read_text_file(folder.path() / "none.txt")); },
-                throws_io_error("no such file"));
+                throws_io_error("No such file or directory"));
     EXPECT_THAT([&] { static_cast<void>(read_text_file(folder.path())); }, throws_io_error("is a folder"));
     EXPECT_THAT([] { static_cast<void>(read_text_file("/dev/zero")); }, throws_io_error("no file that can be read"));
 }

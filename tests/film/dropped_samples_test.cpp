@@ -65,6 +65,17 @@ TEST(DroppedSamples, ReportsADroppedSampleInWords) {
               "pixel (3, 4): XYZ (1, -2, 0.5), weight 1.5: negative luminance");
 }
 
+TEST(DroppedSamples, AreRestoredInReadingOrderOnly) {
+    DroppedSamples dropped;
+    dropped.add({3, 1, DroppedKind::nan, {}, 1.0f});
+    dropped.add({2, 4, DroppedKind::infinite, {}, 1.0f});
+    const std::vector<DroppedSample> first(dropped.first().begin(), dropped.first().end());
+    EXPECT_TRUE(DroppedSamples::restored({1, 5, 0}, first).first()[1].y_px == 4);
+    const std::vector<DroppedSample> turned(first.rbegin(), first.rend());
+    EXPECT_THROW(static_cast<void>(DroppedSamples::restored({1, 5, 0}, turned)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(DroppedSamples::restored({0, 5, 0}, first)), std::invalid_argument);
+}
+
 TEST(DroppedSamples, ReportedSamplesDoNotDependOnTheOrderOfMerges) {
     Film forwards(FilmOptions{16, 16, {}}), backwards(FilmOptions{16, 16, {}});
     std::vector<FilmTile> tiles;

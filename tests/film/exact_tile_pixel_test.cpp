@@ -180,39 +180,71 @@ TEST(ExactTilePixel, CountsItsTermsWhateverTheirSize) {
     EXPECT_EQ(pixel.samples(), 9000u);
 }
 
-// A block is the same bits as its pixels one by one: of any width, with and without a rest to four, with weights and
-// values on both sides of what the wide path takes (8 and 2^21), and of either sign.
+/// With values on both sides of what is added quickly to blocks (8), and of either sign.
+std::vector<float> wild_weights(Pcg32& random, std::size_t count) {
+    std::vector<float> made;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float size = std::ldexp(1.0f, static_cast<int>(random.next() % 8u) - 4);  // up to 8
+        made.push_back((random.next() % 4u == 0 ? -1.0f : 1.0f) *
+                       (random.next() % 16u == 0 ? size : size * random.next_float()));
+    }
+    return made;
+}
+
+/// On both sides of 2^21, with the same meaning.
+XYZd wild_xyz(Pcg32& random) {
+    const int exponent = random.next() % 8u == 0 ? 26 : 20;
+    return {wild(random, exponent), wild(random, exponent), random.next() % 16u == 0 ? -0x1p21 : wild(random, 10)};
+}
+
+void add_one_by_one(std::vector<ExactTilePixel>& pixels, std::size_t stride, const std::vector<float>& x_weights,
+                    const std::vector<float>& y_weights, const XYZd& xyz) {
+    for (std::size_t y = 0; y < y_weights.size(); ++y) {
+        for (std::size_t x = 0; x < x_weights.size(); ++x) {
+            pixels[y * stride + x].add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weights[x] * y_weights[y]));
+        }
+    }
+}
+
+void expect_same_bits(const std::vector<ExactTilePixel>& block, const std::vector<ExactTilePixel>& single) {
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        ASSERT_TRUE(block[k].x_units() == single[k].x_units() && block[k].y_units() == single[k].y_units() &&
+                    block[k].z_units() == single[k].z_units());
+        ASSERT_TRUE(block[k].weight_units() == single[k].weight_units());
+        ASSERT_EQ(block[k].samples(), single[k].samples());
+    }
+}
+
+// Of any width, with and without a rest to four.
 TEST(ExactTilePixel, BlocksAreTheSameBitsAsPixelsOneByOne) {
     Pcg32 random(13);
     for (int i = 0; i < 3000; ++i) {
+        SCOPED_TRACE(i);
         const std::size_t width = 1 + random.next() % 9u, height = 1 + random.next() % 5u, stride = width + 2;
-        const auto weights = [&](std::size_t count) {
-            std::vector<float> made;
-            for (std::size_t k = 0; k < count; ++k) {
-                const float size = std::ldexp(1.0f, static_cast<int>(random.next() % 8u) - 4);  // up to 8
-                made.push_back((random.next() % 4u == 0 ? -1.0f : 1.0f) *
-                               (random.next() % 16u == 0 ? size : size * random.next_float()));
-            }
-            return made;
-        };
-        const std::vector<float> x_weights = weights(width), y_weights = weights(height);
-        const int exponent = random.next() % 8u == 0 ? 26 : 20;
-        const XYZd xyz{wild(random, exponent), wild(random, exponent),
-                       random.next() % 16u == 0 ? -0x1p21 : wild(random, 10)};
+        const std::vector<float> x_weights = wild_weights(random, width), y_weights = wild_weights(random, height);
+        const XYZd xyz = wild_xyz(random);
         std::vector<ExactTilePixel> block(stride * height), single(stride * height);
         ExactTilePixel::add_block(block.data(), static_cast<std::ptrdiff_t>(stride), x_weights, y_weights, xyz);
-        for (std::size_t y = 0; y < height; ++y) {
-            for (std::size_t x = 0; x < width; ++x) {
-                single[y * stride + x].add(xyz.x, xyz.y, xyz.z, static_cast<double>(x_weights[x] * y_weights[y]));
-            }
-        }
-        for (std::size_t k = 0; k < block.size(); ++k) {
-            ASSERT_TRUE(block[k].x_units() == single[k].x_units() && block[k].y_units() == single[k].y_units() &&
-                        block[k].z_units() == single[k].z_units())
-                << i;
-            ASSERT_TRUE(block[k].weight_units() == single[k].weight_units()) << i;
-            ASSERT_EQ(block[k].samples(), single[k].samples()) << i;
-        }
+        add_one_by_one(single, stride, x_weights, y_weights, xyz);
+        ASSERT_NO_FATAL_FAILURE(expect_same_bits(block, single));
+    }
+}
+
+TEST(ExactTilePixel, FourByFourAreTheSameBitsAsPixelsOneByOne) {
+    Pcg32 random(17);
+    for (int i = 0; i < 3000; ++i) {
+        SCOPED_TRACE(i);
+        constexpr std::size_t kStride = 7;
+        const std::vector<float> x = wild_weights(random, 4), y = wild_weights(random, 4);
+        const XYZd wild_value = wild_xyz(random);
+        const Float4 xyz = {static_cast<float>(wild_value.x), static_cast<float>(wild_value.y),
+                            static_cast<float>(wild_value.z), random.next_float()};
+        std::vector<ExactTilePixel> block(kStride * 4), single(kStride * 4);
+        ExactTilePixel::add_four_by_four(block.data(), kStride, Float4{x[0], x[1], x[2], x[3]},
+                                         Float4{y[0], y[1], y[2], y[3]}, xyz);
+        add_one_by_one(single, kStride, x, y,
+                       {static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2])});
+        ASSERT_NO_FATAL_FAILURE(expect_same_bits(block, single));
     }
 }
 

@@ -48,6 +48,7 @@ inline FilmMetadata metadata() {
             .dropped_nan_count = 3,
             .dropped_infinite_count = 5,
             .dropped_negative_luminance_count = 7,
+            .faint_count = 11,
             .seed = 0xfedcba9876543210u,
             .renderer_version = "0.1.0 (test)",
             .command_line = "emulsion render \"a b.pbrt\" --spp 64",

@@ -52,6 +52,29 @@ TEST(FilmMetadata, SaysNothingWhereNothingIsDone) {
     EXPECT_THAT(metadata_of(empty, {}).firefly_control, HasSubstr("0 of 0 samples"));
 }
 
+// A radius of 2 px reaches 16 pixels, from places up to 2 px outside: 8 x 8 of them for a film of 4 x 4.
+TEST(FilmMetadata, SaysHowManySamplesAFilmThatSplatsWasGiven) {
+    Film film({.width_px = 4,
+               .height_px = 4,
+               .filter = BoxFilter{.x_radius_px = 2.0f, .y_radius_px = 2.0f},
+               .filter_use = FilterUse::splatted});
+    FilmTile tile = film.make_tile(film.sample_bounds());
+    for (int i = 0; i < 3 * 64; ++i) {
+        const float x_px = 0.5f + static_cast<float>(film.sample_bounds().x0 + i % 8);
+        tile.add_at(x_px, 0.5f + static_cast<float>(film.sample_bounds().y0 + i / 8 % 8), XYZ{1.0f, 1.0f, 1.0f});
+    }
+    film.merge(tile);
+    ASSERT_EQ(film.sample_count(), 3u * 64u);
+    EXPECT_EQ(film.min_samples_per_pixel(), 3u * 16u);
+    EXPECT_EQ(metadata_of(film, {}).samples_per_pixel, 3);
+    FilmProvenance provenance;
+    provenance.samples.add(SampleRange{0, 2});
+    provenance.partial = PartialRound{{2, 4}, 4, {1, 0, 0, 0}};
+    EXPECT_EQ(metadata_of(film, provenance, {}).samples_per_pixel, 2);
+    EXPECT_EQ(samples_taken(provenance), (SamplesTaken{2, 4}));
+    EXPECT_EQ(samples_taken({}), SamplesTaken{});
+}
+
 TEST(FilmMetadata, KeepsWhatIsOfTheRun) {
     Film film({.width_px = 1, .height_px = 1, .filter = TriangleFilter{}});
     add(film, {1.0f, -1.0f});

@@ -111,6 +111,16 @@ TEST(FilmOptions, MemoryIs48BytesAPixelAnd64WithVariance) {
     EXPECT_EQ(bytes(options), 6400u);
     options.variance = FilmVariance::xyz;
     EXPECT_EQ(bytes(options), 9600u);
+    options.filter = GaussianFilter{};
+    EXPECT_EQ(bytes(options), 9600u);
+
+    // Filters with negative lobes take sums of squared weights besides.
+    options.filter = MitchellFilter{};
+    EXPECT_EQ(bytes(options), 14400u);
+    options.variance = FilmVariance::luminance;
+    EXPECT_EQ(bytes(options), 8800u);
+    options.variance = FilmVariance::none;
+    EXPECT_EQ(bytes(options), 4800u);
 }
 
 }  // namespace

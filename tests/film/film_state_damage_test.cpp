@@ -99,13 +99,13 @@ TEST_F(FilmStateDamage, OtherVersionsAreNamed) {
     write_film_state(path, small_state());
     std::string bytes = read_text(path);
     const std::string before = std::string("emulsion.filmStateVersion\0string\0\1\0\0\0", 37);
-    ASSERT_NE(bytes.find(before + "1"), std::string::npos);
-    bytes[bytes.find(before) + before.size()] = '2';
+    ASSERT_NE(bytes.find(before + "2"), std::string::npos);
+    bytes[bytes.find(before) + before.size()] = '1';
     write_bytes(path, bytes);
     EXPECT_THAT([&] { static_cast<void>(read_film_state(path)); }, throws_io_error(path, HasSubstr("damaged")));
     seal(path, path);
     EXPECT_THAT([&] { static_cast<void>(read_film_state(path)); },
-                throws_io_error(path, HasSubstr("is a film state of version 2, expected 1")));
+                throws_io_error(path, HasSubstr("is a film state of version 1, expected 2")));
 }
 
 // Sealed by somebody who has changed a header: no damage, and no state either.

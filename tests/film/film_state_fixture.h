@@ -51,6 +51,10 @@ inline std::vector<NamedFilm> every_film() {
     add("crop", [&](FilmOptions& o) { o.crop = PixelBounds{1, 2, 4, 3}; });
     add("crop of everything", [&](FilmOptions& o) { o.crop = bounds_of(o); });
     add("variance", [](FilmOptions& o) { o.variance = FilmVariance::luminance; });
+    add("variance under lobes", [](FilmOptions& o) {
+        o.filter = CatmullRomFilter{};
+        o.variance = FilmVariance::luminance;
+    });
     add("splats", [](FilmOptions& o) { o.light_splats = true; });
     add("splatted", [](FilmOptions& o) {
         o.filter = GaussianFilter{};
@@ -78,6 +82,7 @@ inline void add_samples(Film& film, std::uint64_t begin, std::uint64_t end) {
                 if (bad == 0) value.y = -value.y;
                 if (bad == 1) value.x = std::numeric_limits<float>::infinity();
                 if (bad == 2) value.z = std::bit_cast<float>(0xffc00000u + random.next() % 0x3fffffu);
+                if (bad == 6) value = std::ldexp(1.0f, -50) / size * value;
                 const float u = random.next_float(), v = random.next_float();
                 const std::array<float, 3> seen = {bad == 5 ? std::nanf("") : u, -v, size};
                 tile.set_sample_index(index);

@@ -109,6 +109,25 @@ TEST(FilmStateMerge, FilmsOfOtherOptionsAreRefused) {
                    "sensor", "camera=none", ":humps");
 }
 
+// What a camera's file is called decides nothing: its curves do.
+TEST(FilmStateMerge, ACameraIsItsCurves) {
+    FilmOptions options = kPlain;
+    options.sensor.camera = CameraSensor{emulsion::testing::humps_camera(), {}};
+    FilmOptions renamed = options;
+    renamed.sensor.camera->response.name = "elsewhere/copy of it: 2.csv";
+    FilmState state = state_with(options, 0, 2);
+    merge(state, state_with(renamed, 2, 4));
+    EXPECT_TRUE(state.contents == state_with(options, 0, 4).contents);
+    EXPECT_EQ(state.sensor_text, to_text(options.sensor));
+    require_same_film(state, renamed, emulsion::testing::provenance(0, 4));
+
+    FilmOptions other = renamed;
+    other.sensor.camera->response.value[1].g *= 1.5;
+    expect_refused(state, state_with(other, 4, 5), "sensor", ":humps", ":copy of it: 2.csv");
+    EXPECT_EQ(without_camera_name("iso=100 camera=12ab:a b:c"), "iso=100 camera=12ab");
+    EXPECT_EQ(without_camera_name("iso=100 camera=none"), "iso=100 camera=none");
+}
+
 TEST(FilmStateMerge, ACropWindowOfEverythingIsTheFullFrame) {
     FilmOptions cropped = kPlain;
     cropped.crop = bounds_of(kPlain);

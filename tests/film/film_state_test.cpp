@@ -35,9 +35,11 @@ using ::testing::IsEmpty;
 using FilmStateFile = ExrFile;
 
 TEST_F(FilmStateFile, EveryKindOfFilmComesBackBitForBit) {
+    std::uint64_t faint = 0;
     for (const NamedFilm& film : every_film()) {
         const FilmState state = state_with(film.options, 0, 5);
         EXPECT_GT(state.contents.counts.dropped.count(), 2u) << film.name << " is too tame";
+        faint += state.contents.counts.faint;
         write_film_state(file("a.film.exr"), state);
         EXPECT_TRUE(is_film_state(file("a.film.exr")));
         const FilmState read = read_film_state(file("a.film.exr"));
@@ -45,6 +47,7 @@ TEST_F(FilmStateFile, EveryKindOfFilmComesBackBitForBit) {
         EXPECT_EQ(read.sensor_text, to_text(film.options.sensor));
         EXPECT_EQ(read.options.crop, film.options.crop);
     }
+    EXPECT_GT(faint, 10u) << "they are too bright";
 }
 
 TEST_F(FilmStateFile, EmptySaturatedAndUnfinishedFilmsComeBack) {
@@ -159,8 +162,9 @@ TEST_F(FilmStateFile, MetadataFollowsFromTheFilm) {
     const FilmState state = state_with(every_film()[1].options, 0, 5);
     const FilmCounts& counts = state.contents.counts;
     EXPECT_EQ(state.metadata.sample_count, counts.samples);
-    EXPECT_EQ(state.metadata.samples_per_pixel, min_samples_per_pixel(state.contents));
+    EXPECT_EQ(state.metadata.samples_per_pixel, 5);
     EXPECT_EQ(state.metadata.dropped_nan_count, counts.dropped.count(DroppedKind::nan));
+    EXPECT_EQ(state.metadata.faint_count, counts.faint);
     EXPECT_EQ(state.metadata.seed, 7u);
     EXPECT_EQ(state.metadata.command_line, "a 'b c'");
     EXPECT_THAT(state.metadata.filter, HasSubstr("mitchell:"));

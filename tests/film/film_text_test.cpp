@@ -50,11 +50,22 @@ TEST(FilmOptionsText, NothingElseIsRead) {
     for (const std::string& bad :
          {std::string(), text + " ", " " + text, text + " more=1", text + " variance=none",
           changed("variance=none", "variance=all"), changed("filter=box", "filter=bax"), changed("aux=none", "aux="),
-          changed("aux=none", "aux=a"), changed("aux=none", "aux=a:"), changed("light-splats=no", "light-splats=maybe"),
-          changed("spectrum=none", "spectrum=3"), changed("spectrum=none", "spectrum=3:4"),
-          changed("spectrum=none", "spectrum=0:400-500"), changed("spectrum=none", "spectrum=3:500-400"),
-          changed("filter-use=importance-sampled ", "")}) {
+          changed("aux=none", "aux=a"), changed("aux=none", "aux=a:"), changed("aux=none", "aux=depth"),
+          changed("light-splats=no", "light-splats=maybe"), changed("spectrum=none", "spectrum=3"),
+          changed("spectrum=none", "spectrum=3:4"), changed("spectrum=none", "spectrum=0:400-500"),
+          changed("spectrum=none", "spectrum=3:500-400"), changed("filter-use=importance-sampled ", "")}) {
         EXPECT_THROW(static_cast<void>(parse_film_options(bad)), std::invalid_argument) << bad;
+    }
+}
+
+TEST(FilmOptionsText, LayersThatAreKnownNeedNoComponents) {
+    EXPECT_TRUE(parse_aux_layers("none").empty());
+    const std::vector<AuxLayer> layers = {known_aux_layer("depth"), {"roughness", {"value"}}, {"normal", {"a", "b"}}};
+    EXPECT_EQ(parse_aux_layers("depth,roughness:value,normal:a+b"), layers);
+    for (const char* const bad : {"", "depth,", "roughness", "none,depth", "Depth"}) {
+        EXPECT_THAT([&] { static_cast<void>(parse_aux_layers(bad)); },
+                    ::testing::ThrowsMessage<std::invalid_argument>(HasSubstr("expected auxiliary layers: name:comp")))
+            << bad;
     }
 }
 

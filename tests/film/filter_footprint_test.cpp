@@ -3,6 +3,7 @@
 #include "film/filter_footprint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -105,6 +106,40 @@ TEST(FilterFootprint, FastPathFollowsItsTwin) {
             }
         }
     }
+}
+
+// Both axes at once, from either side of place 0 and from the places just below whole and half pixels.
+TEST(FilterFootprint, FourByFourAreTheSameBitsAsAxisByAxis) {
+    int quick = 0;
+    for (const Filter& filter : example_filters()) {
+        const FilterFootprint footprint(filter);
+        Pcg32 random(5);
+        const auto place = [&random] {
+            const float any = 40.0f * random.next_float() - 8.0f;
+            const float half = 0.5f * std::floor(2.0f * any);
+            const std::array<float, 4> places = {any, half, std::nextafter(half, -100.0f), 70000.0f + any};
+            return places[random.next() % 4u];
+        };
+        for (int k = 0; k < 4000; ++k) {
+            const float x = place(), y = place();
+            const auto block = footprint.four_by_four(x, y);
+            if (!block) continue;
+            ++quick;
+            const auto xs = footprint.reach(FilterAxis::x, x), ys = footprint.reach(FilterAxis::y, y);
+            ASSERT_EQ(xs.end - xs.begin, 4) << name_of(filter) << " from " << x;
+            ASSERT_EQ(ys.end - ys.begin, 4) << name_of(filter) << " from " << y;
+            ASSERT_EQ(block->x_px, xs.begin) << x;
+            ASSERT_EQ(block->y_px, ys.begin) << y;
+            const auto numbers = [](Float4 four) { return std::vector<float>{four[0], four[1], four[2], four[3]}; };
+            ASSERT_EQ(numbers(block->x_weights), weights_at(footprint, FilterAxis::x, x)) << x;
+            ASSERT_EQ(numbers(block->y_weights), weights_at(footprint, FilterAxis::y, y)) << y;
+        }
+    }
+    EXPECT_GT(quick, 4000) << "several filters have radius 2";
+    const FilterFootprint mitchell{MitchellFilter{}};
+    EXPECT_TRUE(mitchell.four_by_four(0.0f, 3.999f));
+    EXPECT_FALSE(mitchell.four_by_four(-0.001f, 3.999f));
+    EXPECT_FALSE(FilterFootprint(MitchellFilter{3.0f}).four_by_four(5.2f, 5.2f));
 }
 
 // Shapes far narrower than a cell of the table are evaluated themselves.

@@ -98,6 +98,31 @@ TEST(Filter, SincHasItsZerosAtWholePixelsAndItsWindowAtTau) {
     EXPECT_NEAR(eval(filter, FilterAxis::x, 1e-9), 1.0, 1e-15);
 }
 
+// It goes by the shape, not by the name.
+TEST(Filter, NegativeLobesAreFound) {
+    for (const Filter& filter :
+         {Filter(BoxFilter{}), Filter(TriangleFilter{}), Filter(GaussianFilter{}), Filter(BlackmanHarrisFilter{}),
+          Filter(BlackmanHarrisFilter{400.0f, 1e-3f}), Filter(MitchellFilter{2.0f, 2.0f, 1.0f, 0.0f}),  // the B-spline
+          Filter(MitchellFilter{3.3f, 0.7f, 1.0f, 0.0f}), Filter(MitchellFilter{2.0f, 2.0f, 0.4f, 0.0f}),
+          Filter(LanczosSincFilter{1.0f, 0.7f})}) {
+        EXPECT_FALSE(has_negative_lobes(filter)) << name_of(filter);
+    }
+    for (const Filter& filter :
+         {Filter(MitchellFilter{}), Filter(MitchellFilter{2.0f, 2.0f, 1.0f, 0.1f}), Filter(CatmullRomFilter{}),
+          Filter(CatmullRomFilter{0.1f, 900.0f}), Filter(LanczosSincFilter{}), Filter(LanczosSincFilter{0.9f, 1.2f}),
+          Filter(LanczosSincFilter{1.2f, 0.9f}), Filter(LanczosSincFilter{400.0f, 0.5f, 300.0f})}) {
+        EXPECT_TRUE(has_negative_lobes(filter)) << name_of(filter);
+    }
+    for (const Filter& filter : example_filters()) {
+        bool is_negative = false;
+        for (const FilterAxis axis : kAxes) {
+            const double radius = radius_px(filter, axis);
+            for (int i = 0; i < 5000; ++i) is_negative = is_negative || eval(filter, axis, i * radius / 5000.0) < -1e-9;
+        }
+        EXPECT_EQ(has_negative_lobes(filter), is_negative) << name_of(filter);
+    }
+}
+
 TEST(Filter, ValidateNamesTheParameterItsValueAndItsRange) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto expect_refused = [](const Filter& filter, const std::string& kind, const std::string& field) {

@@ -139,7 +139,7 @@ TEST(SceneParser, ReadsFilesOrSaysWhyNot) {
         }
         return "(no error)";
     };
-    EXPECT_EQ(reason_of(folder / "there-is-no-such.pbrt"), "no such file");
+    EXPECT_EQ(reason_of(folder / "there-is-no-such.pbrt"), "No such file or directory");
     EXPECT_EQ(reason_of(folder), "is a folder, not a text file");
     EXPECT_EQ(reason_of("/dev/zero"), "is no file that can be read");
 

@@ -59,7 +59,7 @@ PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name emulsion.pc)")
 read -ra compile < <(pkg-config --cflags emulsion)
 read -ra link < <(pkg-config --static --libs emulsion)
 read -ra checks <<<"$flags"
-cp "$root/tests/capi/c99_test.c" "$scratch"
-run cc -std=c99 -pedantic "${checks[@]}" "${compile[@]}" "$scratch/c99_test.c" -o "$scratch/c99_test" "${link[@]}"
+cp -r "$root/tests/capi" "$scratch/c"
+run cc -std=c99 -pedantic "${checks[@]}" "${compile[@]}" "$scratch"/c/c99_*.c -o "$scratch/c99_test" "${link[@]}"
 run "$scratch/c99_test" "$scratch/c99.exr"
-run cc -std=c99 -shared -fPIC "${checks[@]}" "${compile[@]}" "$scratch/c99_test.c" -o "$scratch/c99_test.so" "${link[@]}"
+run cc -std=c99 -shared -fPIC "${checks[@]}" "${compile[@]}" "$scratch"/c/c99_*.c -o "$scratch/c99_test.so" "${link[@]}"

@@ -1,0 +1,79 @@
+#include "cli/option_checks.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "spectrum/sampled_spectrum.h"
+
+namespace emulsion::cli {
+
+namespace {
+
+template <class Number>
+std::optional<Number> whole_text_as(const std::string& text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+bool has_extension(const std::string& name, std::string_view lower, std::string_view upper) {
+    const std::string extension = std::filesystem::path(name).extension();
+    return extension == lower || extension == upper;
+}
+
+}  // namespace
+
+std::string found_expected(std::string_view text, std::string_view expected) {
+    return fmt::format("found \"{}\", expected {}", text, expected);
+}
+
+OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most) {
+    return [=](const std::string& text) -> std::string {
+        const auto value = whole_text_as<std::uint64_t>(text);
+        // CLI11 would take 010 for 8.
+        const bool is_octal = text.size() > 1 && text.front() == '0';
+        if (value && !is_octal && *value >= least && *value <= most) return {};
+        return found_expected(text, fmt::format("a whole number from {} to {}", least, most));
+    };
+}
+
+std::string is_wavelength_count(const std::string& text) {
+    const auto value = whole_text_as<int>(text);
+    for (const int count : kWavelengthCounts) {
+        if (value == count) return {};
+    }
+    return found_expected(text, fmt::format("one of {}", fmt::join(kWavelengthCounts, ", ")));
+}
+
+std::string is_seconds(const std::string& text) {
+    const auto seconds = whole_text_as<double>(text);
+    if (seconds && std::isfinite(*seconds) && *seconds > 0.0) return {};
+    return found_expected(text, "a number of seconds above 0");
+}
+
+std::string ends_in_exr(const std::string& name) {
+    if (has_extension(name, ".exr", ".EXR")) return {};
+    return found_expected(name, "a name ending in .exr (--png writes a PNG)");
+}
+
+std::string ends_in_png(const std::string& name) {
+    if (has_extension(name, ".png", ".PNG")) return {};
+    return found_expected(name, "a name ending in .png");
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    constexpr std::uint64_t kMost = 1024;
+    command.add_option("--threads", threads, "Threads, 0 to 1024; 0: one per processor [default: 0]")
+        ->check(whole_number_check(0, kMost))
+        ->option_text("N");
+}
+
+}  // namespace emulsion::cli
