@@ -58,7 +58,8 @@ function(emulsion_install)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/emulsion-config-version.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/generated/emulsion-config.cmake
-    ${PROJECT_BINARY_DIR}/generated/emulsion-config-version.cmake DESTINATION ${package})
+    ${PROJECT_BINARY_DIR}/generated/emulsion-config-version.cmake ${PROJECT_SOURCE_DIR}/cmake/FindHighway.cmake
+    DESTINATION ${package})
   emulsion_install_pkg_config("${libraries}")
 
   if(TARGET emulsion)

@@ -9,15 +9,16 @@
 #include "cli/messages.h"
 #include "cli/option_checks.h"
 #include "cli/pipeline_options.h"
+#include "cli/tone_reports.h"
 #include "core/atomic_file.h"
 #include "film/exr_file.h"
 
 namespace emulsion::cli {
 
 struct DevelopCommand::Options {
-    std::filesystem::path exr, png;
+    std::filesystem::path exr, png, contact_sheet, curve;
     int threads = 0;
-    bool quiet = false;
+    bool quiet = false, list_tonemaps = false, list_adaptations = false;
     Pipeline pipeline;
 };
 
@@ -26,16 +27,32 @@ DevelopCommand::DevelopCommand(CLI::App& program)
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
     command_->add_option("EXR", options.exr, "Picture with channels X Y Z or R G B, as `emulsion render` writes it")
-        ->required()
         ->option_text(" ");
-    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG [required]")
-        ->required()
+    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->check(ends_in_png)->option_text("FILE");
+    command_->add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
         ->check(ends_in_png)
         ->option_text("FILE");
+    command_
+        ->add_option("--curve", options.curve,
+                     "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
+        ->option_text("FILE");
+    command_->add_flag("--list-tonemaps", options.list_tonemaps, "Print every operator, and end");
+    command_->add_flag("--list-adaptations", options.list_adaptations,
+                       "Print every adaptation luminance that an operator may be given, and end");
     add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(*command_, options.pipeline);
-    command_->final_callback([&options] { require_distinct({{"EXR", options.exr}, {"--output", options.png}}); });
+    command_->final_callback([&options] {
+        if (options.list_tonemaps || options.list_adaptations) return;
+        if (options.exr.empty()) throw CLI::RequiredError("EXR");
+        if (options.png.empty() && options.contact_sheet.empty() && options.curve.empty()) {
+            throw CLI::RequiredError("One of --output, --contact-sheet and --curve");
+        }
+        require_distinct({{"EXR", options.exr},
+                          {"--output", options.png},
+                          {"--contact-sheet", options.contact_sheet},
+                          {"--curve", options.curve}});
+    });
 }
 
 DevelopCommand::~DevelopCommand() = default;
@@ -44,11 +61,25 @@ bool DevelopCommand::chosen() const { return command_->parsed(); }
 
 int DevelopCommand::run() const {
     const Options& options = *options_;
-    check_writable(options.png);
+    if (options.list_tonemaps || options.list_adaptations) {
+        if (options.list_tonemaps) print_output(tonemap_list());
+        if (options.list_adaptations) print_output(adaptation_list());
+        return kDone;
+    }
+    for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
+        if (!file.empty()) check_writable(file);
+    }
     const FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
     for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
-    develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
-    if (!options.quiet) print_output(fmt::format("wrote {}\n", options.png.string()));
+
+    if (!options.curve.empty()) write_curve(options.curve, picture.xyz, options.pipeline, options.threads);
+    if (!options.contact_sheet.empty()) {
+        write_contact_sheet(options.contact_sheet, picture.xyz, options.pipeline, options.threads);
+    }
+    if (!options.png.empty()) develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
+    for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
+        if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
+    }
     return kDone;
 }
 

@@ -12,7 +12,12 @@
 namespace emulsion::cli {
 
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
+    add_named_option(command, "--bloom", "bloom", pipeline.bloom, "Spreading of bright light before tone mapping");
+    add_named_option(command, "--vision", "vision", pipeline.vision,
+                     "Seeing as an eye on the spot, before tone mapping");
     add_named_option(command, "--tonemap", "tonemap", pipeline.tone_mapper, "Tone mapping operator of the PNG");
+    add_named_option(command, "--adaptation", "adaptation", pipeline.adaptation,
+                     "Luminance that the operator adapts to", "the operator's own");
 }
 
 void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {

@@ -14,7 +14,8 @@ class App;
 
 namespace emulsion::cli {
 
-/// Adds --tonemap to a subcommand; parsing sets `pipeline`, and refuses what is not a tone mapper with bad usage.
+/// Adds --bloom, --vision, --tonemap and --adaptation to a subcommand; parsing sets `pipeline`, and refuses what is no
+/// such value with bad usage.
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 
 /// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.

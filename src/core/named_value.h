@@ -80,6 +80,17 @@ void validate_named(const Variant& variant, std::string_view kind = "") {
     std::visit([&](const auto& value) { validate_named(value, kind); }, variant);
 }
 
+/// A parameter as text forms have it. Out of line for GCC 12, which otherwise sees members of all types read from a
+/// value whose type it knows, and warns of those that the type doesn't have.
+template <NamedValue T>
+[[nodiscard, gnu::noinline]] std::string parameter_text(const T& value, const Parameter<T>& parameter) {
+    const auto text_of = [&](auto member) {
+        const bool is_word = !parameter.zero_word.empty() && value.*member == 0;
+        return is_word ? std::string(parameter.zero_word) : number_text(value.*member);
+    };
+    return std::visit(text_of, parameter.member);
+}
+
 /// The text form of a value, with all its parameters; parse_named reads it back as the same value.
 template <NamedValue T>
 [[nodiscard]] std::string to_text(const T& value) {
@@ -89,7 +100,7 @@ template <NamedValue T>
         text += std::exchange(separator, ',');
         text += parameter.name;
         text += '=';
-        text += std::visit([&](auto member) { return number_text(value.*member); }, parameter.member);
+        text += parameter_text(value, parameter);
     }
     return text;
 }
@@ -106,13 +117,6 @@ template <NamedVariant Variant>
     return names;
 }
 
-/// Out of line for GCC 12, which otherwise sees members of all types read from a value whose type it knows, and warns
-/// of those that the type doesn't have.
-template <NamedValue T>
-[[nodiscard, gnu::noinline]] std::string parameter_text(const T& value, const Parameter<T>& parameter) {
-    return std::visit([&](auto member) { return number_text(value.*member); }, parameter.member);
-}
-
 /// Every alternative with its parameters, in the variant's order.
 template <NamedVariant Variant>
 [[nodiscard]] std::vector<NamedValueDescription> describe_named() {
@@ -122,7 +126,8 @@ template <NamedVariant Variant>
         NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             description.parameters.push_back({parameter.name, parameter_text(defaults, parameter),
-                                              to_text(parameter.range), parameter.unit, parameter.help});
+                                              range_text(parameter.range, parameter.zero_word), parameter.unit,
+                                              parameter.help});
         }
         all.push_back(std::move(description));
     });
@@ -143,6 +148,16 @@ struct NamedText {
 /// "tonemap".
 [[noreturn]] void throw_unknown_name(std::string_view what, std::string_view name, std::vector<std::string_view> known);
 
+/// The reverse of parameter_text(); `what` names the parameter in messages. Out of line for the same reason.
+/// \throws std::invalid_argument as parse_number().
+template <NamedValue T>
+[[gnu::noinline]] void read_parameter(std::string_view text, std::string_view what, T& value,
+                                      const Parameter<T>& parameter) {
+    const bool is_word = !parameter.zero_word.empty() && name_key(text) == name_key(parameter.zero_word);
+    std::visit([&](auto member) { is_word ? void(value.*member = 0) : parse_number(text, what, value.*member); },
+               parameter.member);
+}
+
 /// Reads one alternative's parameters.
 template <NamedValue T>
 [[nodiscard]] T parse_parameters(const NamedText& text, std::string_view kind) {
@@ -154,8 +169,7 @@ template <NamedValue T>
             known.push_back(parameter.name);
             if (name_key(parameter.name) != name_key(assignment.first)) continue;
             found = true;
-            const std::string what = parameter_label(kind, T::kName, assignment.first);
-            std::visit([&](auto member) { parse_number(assignment.second, what, value.*member); }, parameter.member);
+            read_parameter(assignment.second, parameter_label(kind, T::kName, assignment.first), value, parameter);
         }
         if (!found)
             throw_unknown_name(parameter_label(kind, T::kName, "parameter"), assignment.first, std::move(known));

@@ -44,6 +44,13 @@ std::string to_text(const ParameterRange& range) {
            shortest_text(range.max) + (range.max_end == RangeEnd::closed ? "]" : ")");
 }
 
+std::string range_text(const ParameterRange& range, std::string_view zero_word) {
+    if (zero_word.empty()) return to_text(range);
+    ParameterRange without_zero = range;
+    without_zero.min_end = RangeEnd::open;
+    return std::string(zero_word) + " or " + to_text(without_zero);
+}
+
 std::string number_text(float value) { return shortest_text(value); }
 std::string number_text(double value) { return shortest_text(value); }
 std::string number_text(int value) { return shortest_text(value); }

@@ -42,6 +42,8 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr ParameterRange kFinite = {-kInfinity, kInfinity, RangeEnd::open, RangeEnd::open};
 inline constexpr ParameterRange kPositiveFinite = {0.0, kInfinity, RangeEnd::open, RangeEnd::open};
 inline constexpr ParameterRange kPositive = {0.0, kInfinity, RangeEnd::open, RangeEnd::closed};  ///< or infinite
+inline constexpr ParameterRange kNotNegativeFinite = {0.0, kInfinity, RangeEnd::closed, RangeEnd::open};
+inline constexpr ParameterRange kNotNegative = {0.0, kInfinity, RangeEnd::closed, RangeEnd::closed};  ///< or infinite
 
 /// One parameter of the value type T.
 template <class T>
@@ -51,13 +53,15 @@ struct Parameter {
     ParameterRange range;                                    ///< the values that it may have
     std::string_view unit;                                   ///< "cd/m^2", "px"; empty if it has none
     std::string_view help;                                   ///< one line, no full stop
+    /// How 0 is written, where it is no number but stands for a choice: "auto". It is then the least of the range.
+    std::string_view zero_word = {};
 };
 
 /// What --help says about a parameter.
 struct ParameterDescription {
     std::string_view name;
     std::string default_text;  ///< as to_text() prints it
-    std::string range_text;    ///< as to_text(ParameterRange) prints it
+    std::string range_text;    ///< as to_text(ParameterRange) prints it; "auto or (0, 1]" with a word for 0
     std::string_view unit;
     std::string_view help;
     bool operator==(const ParameterDescription&) const = default;
@@ -65,6 +69,9 @@ struct ParameterDescription {
 
 /// "(0, inf]", "[1, 16]": round brackets leave the end out, square ones take it in.
 [[nodiscard]] std::string to_text(const ParameterRange& range);
+
+/// The same where 0 is written as a word: "auto or (0, 1]", the range being [0, 1].
+[[nodiscard]] std::string range_text(const ParameterRange& range, std::string_view zero_word);
 
 /// The shortest text that parse_number reads back as the same value; "inf" and "-inf" for the infinities.
 [[nodiscard]] std::string number_text(float value);

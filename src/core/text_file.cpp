@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 
 namespace emulsion {
@@ -29,6 +30,15 @@ std::string read_text_file(const std::filesystem::path& path) {
     }
     if (file.bad()) throw IoError(path, "reading failed");
     return content;
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+    AtomicFile file(path);
+    std::ofstream stream(file.temporary_path(), std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.close();
+    if (!stream) throw IoError(path, "writing failed");
+    file.commit();
 }
 
 }  // namespace emulsion

@@ -1,7 +1,10 @@
 #include "develop/develop.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/matrix3.h"
@@ -34,16 +37,36 @@ GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline,
 
 }  // namespace
 
+std::optional<Image<XYZ>> before_tone_mapping(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
+    std::optional<Image<XYZ>> picture;
+    if (!std::holds_alternative<NoBloom>(pipeline.bloom)) picture = add_bloom(pipeline.bloom, scene.view(), threads);
+    if (!std::holds_alternative<NoVision>(pipeline.vision)) {
+        picture = see(pipeline.vision, picture ? std::as_const(*picture).view() : scene.view(), threads);
+    }
+    return picture;
+}
+
 DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
     validate(pipeline);
-    DevelopReport report;
     const XYZ white = narrow(white_xyz(pipeline.display));
-    ToneMapResult mapped = tone_map(pipeline.tone_mapper, scene.view(), white, threads);
-    report.luminance = mapped.statistics;
+    const ToneMapping mapping{pipeline.tone_mapper, pipeline.adaptation};
+    ToneMapResult mapped;
+    if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) {
+        mapped.statistics = tone_map_into(mapping, picture->view(), picture->view(), white, threads);
+        mapped.image = std::move(*picture);
+    } else {
+        mapped = tone_map(mapping, scene.view(), white, threads);
+    }
+    DevelopResult result = develop_tone_mapped(mapped.image, pipeline, threads);
+    result.report.luminance = mapped.statistics;
+    return result;
+}
 
-    Image<RGB> encoded(scene.width(), scene.height());
-    report.gamut = encode_rows(mapped.image, pipeline, encoded, threads);
-    mapped.image = {};  // its memory is needed no more
+DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads) {
+    validate(pipeline);
+    Image<RGB> encoded(display_xyz.width(), display_xyz.height());
+    DevelopReport report;
+    report.gamut = encode_rows(display_xyz, pipeline, encoded, threads);
     return {quantize(pipeline.dither, encoded.view(), threads), report};
 }
 

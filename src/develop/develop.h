@@ -1,6 +1,8 @@
 #pragma once
 // Developing a picture: scene-referred XYZ through the stages of a Pipeline to code values.
 
+#include <optional>
+
 #include "core/color.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
@@ -12,7 +14,7 @@ namespace emulsion {
 
 /// What was found on the way, for telling the user.
 struct DevelopReport {
-    LuminanceStatistics luminance;  ///< of the scene, cd/m^2, with the counts of bad pixels
+    LuminanceStatistics luminance;  ///< of what is tone-mapped, cd/m^2, with the counts of the scene's bad pixels
     GamutCounts gamut;              ///< pixels that the display could not show, after tone mapping
     bool operator==(const DevelopReport&) const = default;
 };
@@ -22,10 +24,19 @@ struct DevelopResult {
     DevelopReport report;
 };
 
-/// Tone mapping, display RGB, gamut mapping, transfer function, quantization with dithering.
+/// Bloom, vision, tone mapping, display RGB, gamut mapping, transfer function, quantization with dithering.
 /// Every pixel comes out defined: see tone_map() for bad ones. The same result for every number of threads (0: all).
 /// \param scene XYZ, Y in cd/m^2
 /// \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
 [[nodiscard]] DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
+
+/// The stages before tone mapping: bloom, then vision; scene-referred XYZ again. None if the pipeline has neither.
+/// \throws std::invalid_argument as develop().
+[[nodiscard]] std::optional<Image<XYZ>> before_tone_mapping(const Image<XYZ>& scene, const Pipeline& pipeline,
+                                                            int threads);
+
+/// The stages after tone mapping, for pictures that are tone-mapped already: display-relative XYZ, Y = 1 at display
+/// white. The report's luminance is left empty. \throws std::invalid_argument as develop().
+[[nodiscard]] DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads);
 
 }  // namespace emulsion

@@ -13,11 +13,15 @@ namespace emulsion {
 namespace {
 
 constexpr ParameterRange kBits = {8.0, 8.0};
+constexpr std::string_view kOwn = "own";  // a stage that is left to another
 
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
 template <class AnyPipeline, class Visitor>
 void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
+    visitor("bloom", pipeline.bloom);
+    visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
+    visitor("adaptation", pipeline.adaptation);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
@@ -31,10 +35,20 @@ std::string stage_text(const Variant& stage) {
     return to_text(stage);
 }
 
+template <NamedVariant Variant>
+std::string stage_text(const std::optional<Variant>& stage) {
+    return stage ? to_text(*stage) : std::string(kOwn);
+}
+
 void validate_stage(std::string_view key, int bits) { check_range(bits, kBits, key); }
 template <NamedVariant Variant>
 void validate_stage(std::string_view key, const Variant& stage) {
     validate_named(stage, key);
+}
+
+template <NamedVariant Variant>
+void validate_stage(std::string_view key, const std::optional<Variant>& stage) {
+    if (stage) validate_named(*stage, key);
 }
 
 void parse_stage(std::string_view key, std::string_view text, int& bits) {
@@ -44,6 +58,11 @@ void parse_stage(std::string_view key, std::string_view text, int& bits) {
 template <NamedVariant Variant>
 void parse_stage(std::string_view key, std::string_view text, Variant& stage) {
     stage = parse_named<Variant>(text, key);
+}
+template <NamedVariant Variant>
+void parse_stage(std::string_view key, std::string_view text, std::optional<Variant>& stage) {
+    stage.reset();
+    if (text != kOwn) stage = parse_named<Variant>(text, key);
 }
 
 /// Sets the stage named by the key of "key=value".

@@ -1,6 +1,7 @@
 #pragma once
 // Pipeline: the chain from scene-referred XYZ to code values, as one plain value.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,14 +9,20 @@
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
 #include "spectrum/transfer_function.h"
+#include "tonemap/bloom.h"
 #include "tonemap/tone_mapper.h"
+#include "tonemap/vision.h"
 
 namespace emulsion {
 
-/// The five stages, in their order. Text form, one key=value for each, separated by spaces:
-///     tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb bits=8 dither=floyd-steinberg
+/// The stages, in their order. Text form, one key=value for each, separated by spaces:
+///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip
+///     transfer=srgb bits=8 dither=floyd-steinberg
 struct Pipeline {
+    Bloom bloom = NoBloom{};                     ///< "bloom"
+    Vision vision = NoVision{};                  ///< "vision"
     ToneMapper tone_mapper = ReinhardGlobal{};   ///< "tonemap"
+    std::optional<Adaptation> adaptation = {};   ///< "adaptation" luminance; none, "own": what the operator would take
     Display display = SrgbDisplay{};             ///< "display"
     GamutMapper gamut = GamutClip{};             ///< "gamut"
     TransferFunction transfer = SrgbTransfer{};  ///< "transfer"

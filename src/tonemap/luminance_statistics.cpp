@@ -1,106 +1,18 @@
 #include "tonemap/luminance_statistics.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "core/row_blocks.h"
+#include "tonemap/luminance_rows.h"
 
 namespace emulsion {
 
 namespace {
-
-/// Sum of natural logarithms: exponents are added, significands in [1, 2) multiplied, and ln is taken once in a while.
-class LogSum {
-  public:
-    /// `value` is positive and finite; any float is a normal double.
-    void add(float value) noexcept {
-        const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(value));
-        exponents_ += static_cast<std::int64_t>(bits >> 52u);
-        product_ *= std::bit_cast<double>((bits & kSignificandBits) | kBitsOfOne);
-        if (++count_ == kMaxFactors) flush();
-    }
-
-    [[nodiscard]] double sum() noexcept {
-        flush();
-        return sum_;
-    }
-
-  private:
-    static constexpr int kMaxFactors = 256;  // 2^256 is far from overflow
-    static constexpr std::uint64_t kSignificandBits = (std::uint64_t{1} << 52u) - 1;
-    static constexpr std::uint64_t kBitsOfOne = std::uint64_t{1023} << 52u;
-
-    void flush() noexcept {
-        const auto exponent = static_cast<double>(exponents_ - std::int64_t{1023} * count_);
-        sum_ += exponent * std::numbers::ln2 + std::log(product_);
-        product_ = 1.0;
-        exponents_ = 0;
-        count_ = 0;
-    }
-
-    double sum_ = 0.0, product_ = 1.0;
-    std::int64_t exponents_ = 0;
-    int count_ = 0;
-};
-
-/// What is gathered over one row, and then over the rows in their order.
-struct RowStatistics {
-    double log_sum = 0.0;
-    float min_positive = std::numeric_limits<float>::infinity();
-    float max = 0.0f;
-    PixelCounts counts;
-    int first_bad_x = -1;  // -1: none
-};
-
-void count(PixelCounts& counts, PixelClass pixel_class) noexcept {
-    switch (pixel_class) {
-        case PixelClass::positive:
-            ++counts.positive;
-            break;
-        case PixelClass::zero:
-            ++counts.zero;
-            break;
-        case PixelClass::negative:
-            ++counts.negative;
-            break;
-        case PixelClass::nan:
-            ++counts.nan;
-            break;
-        case PixelClass::infinite:
-            ++counts.infinite;
-            break;
-    }
-}
-
-RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept {
-    RowStatistics gathered;
-    LogSum log_sum;
-    for (std::size_t x = 0; x < row.size(); ++x) {
-        const PixelClass pixel_class = classify(row[x]);
-        if (pixel_class == PixelClass::positive) [[likely]] {
-            const float luminance = row[x].y;
-            log_sum.add(luminance);
-            gathered.min_positive = std::min(gathered.min_positive, luminance);
-            gathered.max = std::max(gathered.max, luminance);
-            ++gathered.counts.positive;
-            continue;
-        }
-        count(gathered.counts, pixel_class);
-        if (pixel_class != PixelClass::zero && gathered.first_bad_x < 0) gathered.first_bad_x = static_cast<int>(x);
-    }
-    gathered.log_sum = log_sum.sum();
-    return gathered;
-}
-
-PixelCounts operator+(const PixelCounts& a, const PixelCounts& b) noexcept {
-    return {a.positive + b.positive, a.zero + b.zero, a.negative + b.negative, a.nan + b.nan, a.infinite + b.infinite};
-}
 
 LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noexcept {
     RowStatistics total;
@@ -110,7 +22,7 @@ LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noex
         total.log_sum += row.log_sum;
         total.min_positive = std::min(total.min_positive, row.min_positive);
         total.max = std::max(total.max, row.max);
-        total.counts = total.counts + row.counts;
+        total.counts += row.counts;
         if (row.first_bad_x >= 0 && !statistics.first_bad_px) {
             statistics.first_bad_px = {row.first_bad_x, static_cast<int>(y)};
         }
@@ -139,7 +51,7 @@ LuminanceStatistics luminance_statistics_reference(ImageView<const XYZ> scene) {
     for (int y = 0; y < scene.height(); ++y) {
         for (int x = 0; x < scene.width(); ++x) {
             const PixelClass pixel_class = classify(scene(x, y));
-            count(statistics.counts, pixel_class);
+            statistics.counts.add(pixel_class);
             if (pixel_class == PixelClass::zero) continue;
             if (pixel_class != PixelClass::positive) {
                 if (!statistics.first_bad_px) statistics.first_bad_px = {x, y};

@@ -1,41 +1,33 @@
 #include "tonemap/reinhard_global.h"
 
-#include "tonemap/scale_pixels.h"
+#include <cmath>
+
+#include "tonemap/middle_grey.h"
 
 namespace emulsion {
 
-namespace {
-
-/// L / Y; 0 if the picture has no positive pixel.
-double exposure(const ReinhardGlobal& mapper, const LuminanceStatistics& statistics) noexcept {
-    return statistics.log_average_cdm2 > 0.0 ? mapper.key / statistics.log_average_cdm2 : 0.0;
+double photographic_key(const SceneLuminance& luminance) {
+    const double average = std::log2(luminance.statistics().log_average_cdm2);
+    const double least = std::log2(luminance.robust_min_cdm2()), most = std::log2(luminance.robust_max_cdm2());
+    if (!(most > least)) return kMiddleGrey;
+    return kMiddleGrey * std::exp2(2.0 * (2.0 * average - least - most) / (most - least));
 }
 
-}  // namespace
-
-double display_luminance(const ReinhardGlobal& mapper, double scaled_luminance) noexcept {
-    const double to_white = scaled_luminance / mapper.white;
+double photographic_curve(double scaled_luminance, double white) noexcept {
+    const double to_white = scaled_luminance / white;
     return (scaled_luminance + to_white * to_white) / (1.0 + scaled_luminance);
 }
 
-double luminance_scale(const ReinhardGlobal& mapper, const LuminanceStatistics& statistics,
-                       double luminance_cdm2) noexcept {
-    const double scaling = exposure(mapper, statistics);
-    const double scaled = scaling * luminance_cdm2;
-    // Ld / Y without dividing by Y, which may be 0.
-    return scaling * (1.0 + scaled / mapper.white / mapper.white) / (1.0 + scaled);
-}
+Adaptation own_adaptation(const ReinhardGlobal&) noexcept { return LogAverageAdaptation{}; }
 
-void apply(const ReinhardGlobal& mapper, const LuminanceStatistics& statistics, ImageView<const XYZ> scene,
-           ImageView<XYZ> display, const XYZ& display_white, int threads) {
-    const float scaling = narrow_or_nan(exposure(mapper, statistics));
-    const float inverse_white2 = narrow_or_nan(1.0 / mapper.white / mapper.white);
-    const auto fast_scale = [=](float luminance) noexcept {
-        const float scaled = scaling * luminance;
-        return scaling * (1.0f + scaled * inverse_white2) / (1.0f + scaled);
-    };
-    const auto exact_scale = [&](double luminance) noexcept { return luminance_scale(mapper, statistics, luminance); };
-    scale_pixels(scene, display, display_white, threads, fast_scale, exact_scale);
+ToneReproduction prepare(const ReinhardGlobal& mapper, const SceneLuminance& luminance, double adaptation_cdm2) {
+    const double key = mapper.key > 0.0f ? double{mapper.key} : photographic_key(luminance);
+    // The robust maximum costs a look at all pixels: only where it is wanted.
+    const auto most = [&] { return key * luminance.robust_max_cdm2() / adaptation_cdm2; };
+    const double white = mapper.white > 0.0f ? double{mapper.white} : most();
+    // Ld / L without dividing by L, which may be 0.
+    return {.exposure = [=](double adaptation) { return key / adaptation; },
+            .compression = [=](double scaled) { return (1.0 + scaled / white / white) / (1.0 + scaled); }};
 }
 
 }  // namespace emulsion

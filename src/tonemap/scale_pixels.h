@@ -10,7 +10,8 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "core/row_blocks.h"
-#include "tonemap/luminance_statistics.h"
+#include "tonemap/pixel_class.h"
+#include "tonemap/scale_rows.h"
 
 namespace emulsion {
 
@@ -42,28 +43,18 @@ template <class ExactScale>
     return representable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// display = scale(Y) * scene, with bad pixels as tone_map() says. `fast_scale(float)` may give NaN or Inf where single
-/// precision does not reach: such pixels, like all that are not plainly good, go to `exact_scale(double)`.
-template <class FastScale, class ExactScale>
+/// display = scale * scene, with bad pixels as tone_map() says. `scale_row(y, in, out, exact)` is one of scale_rows.h;
+/// its exact pixels are scaled by `exact_scale_at(x, y)`, which gives a function of Y in double precision.
+template <class ScaleRow, class ExactScaleAt>
 void scale_pixels(ImageView<const XYZ> scene, ImageView<XYZ> display, const XYZ& display_white, int threads,
-                  const FastScale& fast_scale, const ExactScale& exact_scale) {
-    constexpr auto kLimit = static_cast<float>(kMaxDisplayComponent);
+                  const ScaleRow& scale_row_at, const ExactScaleAt& exact_scale_at) {
     const XYZd white{display_white.x, display_white.y, display_white.z};
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
-        const std::span<const XYZ> in = scene.row(y);
-        const std::span<XYZ> out = display.row(y);
-        for (std::size_t x = 0; x < in.size(); ++x) {
-            const XYZ pixel = in[x];
-            const XYZ scaled = fast_scale(pixel.y) * pixel;
-            const bool plain = pixel.y >= 0.0f && std::abs(scaled.x) <= kLimit && std::abs(scaled.y) <= kLimit &&
-                               std::abs(scaled.z) <= kLimit;
-            if (plain) [[likely]] {
-                out[x] = scaled;
-                continue;
-            }
-            const XYZd exact = scaled_pixel(pixel, white, exact_scale);
-            out[x] = {static_cast<float>(exact.x), static_cast<float>(exact.y), static_cast<float>(exact.z)};
-        }
+        const ExactPixel exact = [&, y](std::size_t x, const XYZ& pixel) {
+            const XYZd scaled = scaled_pixel(pixel, white, exact_scale_at(x, y));
+            return XYZ{static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)};
+        };
+        scale_row_at(y, scene.row(y), display.row(y), exact);
     });
 }
 

@@ -1,5 +1,7 @@
 #include "tonemap/tone_mapper.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -11,43 +13,108 @@ namespace {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-void check(const ToneMapper& mapper, ImageView<const XYZ> scene) {
-    validate_named(mapper, "tonemap");
+void check(const ToneMapping& mapping, ImageView<const XYZ> scene) {
+    validate(mapping);
     if (scene.width() >= 1 && scene.height() >= 1) return;
     throw std::invalid_argument("scene size " + size_text(scene.width(), scene.height()) + ": both must be at least 1");
 }
 
+Adaptation chosen_adaptation(const ToneMapping& mapping) {
+    return mapping.adaptation ? *mapping.adaptation : own_adaptation(mapping.mapper);
+}
+
+/// Of a picture without positive pixels.
+constexpr auto kBlack = [](double) { return 0.0; };
+
 }  // namespace
 
-LuminanceStatistics tone_map_into(const ToneMapper& mapper, ImageView<const XYZ> scene, ImageView<XYZ> display,
+OperatorTraits traits_of(const ToneMapper& mapper) noexcept {
+    return visit_noexcept([](const auto& chosen) { return chosen.kTraits; }, mapper);
+}
+
+Adaptation own_adaptation(const ToneMapper& mapper) {
+    return std::visit([](const auto& chosen) -> Adaptation { return own_adaptation(chosen); }, mapper);
+}
+
+ToneReproduction prepare(const ToneMapper& mapper, const SceneLuminance& luminance, double adaptation_cdm2) {
+    return std::visit([&](const auto& chosen) { return prepare(chosen, luminance, adaptation_cdm2); }, mapper);
+}
+
+void validate(const ToneMapping& mapping) {
+    validate_named(mapping.mapper, "tonemap");
+    if (mapping.adaptation) validate_named(*mapping.adaptation, "adaptation");
+}
+
+LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XYZ> scene, ImageView<XYZ> display,
                                   const XYZ& display_white, int threads) {
-    check(mapper, scene);
+    check(mapping, scene);
     if (display.width() != scene.width() || display.height() != scene.height()) {
         throw std::invalid_argument("display size " + size_text(display.width(), display.height()) + ": must be " +
                                     size_text(scene.width(), scene.height()) + ", as the scene's");
     }
-    const LuminanceStatistics statistics = luminance_statistics(scene, threads);
-    std::visit([&](const auto& chosen) { apply(chosen, statistics, scene, display, display_white, threads); }, mapper);
-    return statistics;
+    const SceneLuminance luminance(scene, threads);
+    if (luminance.statistics().counts.positive == 0) {
+        const auto scale_row_at = [](int, auto in, auto out, const ExactPixel& exact) {
+            scale_row(0.0f, in, out, exact);
+        };
+        scale_pixels(scene, display, display_white, threads, scale_row_at, [](std::size_t, int) { return kBlack; });
+        return luminance.statistics();
+    }
+    const AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);
+    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
+    reproduce(reproduction, luminance.statistics(), adaptation, scene, display, display_white, threads);
+    return luminance.statistics();
 }
 
-ToneMapResult tone_map(const ToneMapper& mapper, ImageView<const XYZ> scene, const XYZ& display_white, int threads) {
-    check(mapper, scene);
+ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white, int threads) {
+    check(mapping, scene);
     ToneMapResult result{Image<XYZ>(scene.width(), scene.height()), {}};
-    result.statistics = tone_map_into(mapper, scene, result.image.view(), display_white, threads);
+    result.statistics = tone_map_into(mapping, scene, result.image.view(), display_white, threads);
     return result;
 }
 
-Image<XYZd> tone_map_reference(const ToneMapper& mapper, ImageView<const XYZ> scene, const XYZd& display_white) {
-    check(mapper, scene);
-    const LuminanceStatistics statistics = luminance_statistics_reference(scene);
-    const auto scale = [&](double luminance_cdm2) {
-        return std::visit([&](const auto& chosen) { return luminance_scale(chosen, statistics, luminance_cdm2); },
-                          mapper);
-    };
+std::vector<CurvePoint> tone_curve(const ToneMapping& mapping, ImageView<const XYZ> scene, int threads) {
+    check(mapping, scene);
+    const SceneLuminance luminance(scene, threads);
+    if (luminance.statistics().counts.positive == 0) return {};
+    const Adaptation adaptation = chosen_adaptation(mapping);
+    const bool local = is_local(adaptation);
+    const double picture_cdm2 =
+        local ? luminance.statistics().log_average_cdm2 : adapt(adaptation, scene, luminance, threads).uniform_cdm2;
+    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, picture_cdm2);
+
+    const double least = luminance.statistics().min_positive_cdm2,
+                 octaves = std::log2(luminance.statistics().max_cdm2 / least);
+    const int steps = static_cast<int>(std::ceil(16.0 * octaves));
+    std::vector<CurvePoint> curve;
+    for (int i = 0; i <= steps; ++i) {
+        const double cdm2 = steps == 0 ? least : least * std::exp2(octaves * i / steps);
+        curve.push_back({cdm2, cdm2 * reproduction.scale(cdm2, local ? cdm2 : picture_cdm2)});
+    }
+    return curve;
+}
+
+Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZd& display_white) {
+    check(mapping, scene);
+    const SceneLuminance luminance(scene, luminance_statistics_reference(scene), 1);
     Image<XYZd> display(scene.width(), scene.height());
+    const bool is_black = luminance.statistics().counts.positive == 0;
+    const double unit = luminance.statistics().log_average_cdm2, least = luminance.statistics().min_positive_cdm2;
+    BasicAdaptationLuminance<double> adaptation;
+    if (!is_black) adaptation = adapt_reference(chosen_adaptation(mapping), scene, luminance);
+    ToneReproduction reproduction;
+    if (!is_black) reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
     for (int y = 0; y < scene.height(); ++y) {
-        for (int x = 0; x < scene.width(); ++x) display(x, y) = scaled_pixel(scene(x, y), display_white, scale);
+        for (int x = 0; x < scene.width(); ++x) {
+            if (is_black) {
+                display(x, y) = scaled_pixel(scene(x, y), display_white, kBlack);
+                continue;
+            }
+            const bool is_local = adaptation.local.width() > 0;
+            const double here = is_local ? std::max(adaptation.local(x, y) * unit, least) : adaptation.uniform_cdm2;
+            const auto scale = [&](double luminance_cdm2) { return reproduction.scale(luminance_cdm2, here); };
+            display(x, y) = scaled_pixel(scene(x, y), display_white, scale);
+        }
     }
     return display;
 }

@@ -47,7 +47,8 @@ TEST(Readme, CommandsWriteTheFilesThatTheyName) {
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             if (!arguments[i].starts_with("out/")) continue;
             arguments[i] = out.file(arguments[i].substr(4));
-            if (arguments[i - 1] == "-o" || arguments[i - 1] == "--png") outputs.push_back(arguments[i]);
+            const std::string& flag = arguments[i - 1];
+            if (flag == "-o" || flag == "--png" || flag == "--contact-sheet") outputs.push_back(arguments[i]);
         }
         // As typed, but small; of an option given twice CLI11 would take neither.
         if (arguments[0] == "render") {

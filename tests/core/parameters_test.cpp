@@ -135,6 +135,51 @@ TEST(NamedValue, EveryDoubleSurvivesItsText) {
     EXPECT_THROW((void)parse_named<Alone>("precise:value=inf", "number"), std::invalid_argument);
 }
 
+struct Automatic {
+    static constexpr std::string_view kName = "automatic";
+    static constexpr std::string_view kHelp = "parameters whose 0 has a name";
+    float width = 0.0f;
+    int count = 4;
+    bool operator==(const Automatic&) const = default;
+
+    static constexpr std::array kParameters = {
+        Parameter<Automatic>{"width", &Automatic::width, kNotNegativeFinite, "px", "how wide", "auto"},
+        Parameter<Automatic>{"count", &Automatic::count, {0.0, 9.0}, "", "how many", "none"}};
+};
+using AutomaticAlone = std::variant<Automatic>;
+
+TEST(NamedValue, ZeroIsWrittenAsItsWord) {
+    EXPECT_EQ(to_text(Automatic{}), "automatic:width=auto,count=4");
+    EXPECT_EQ(to_text(Automatic{2.5f, 0}), "automatic:width=2.5,count=none");
+    EXPECT_EQ(to_text(Automatic{-0.0f, 0}), "automatic:width=auto,count=none");
+}
+
+TEST(NamedValue, ZeroIsReadFromItsWordOrItsNumber) {
+    const auto read = [](std::string_view text) { return parse_named<AutomaticAlone>(text, "thing"); };
+    EXPECT_EQ(read("automatic:width=auto,count=none"), AutomaticAlone(Automatic{0.0f, 0}));
+    EXPECT_EQ(read("automatic:width=AUTO"), AutomaticAlone(Automatic{0.0f, 4}));
+    EXPECT_EQ(read("automatic:width=0,count=0"), AutomaticAlone(Automatic{0.0f, 0}));
+    EXPECT_EQ(read("automatic:width=3"), AutomaticAlone(Automatic{3.0f, 4}));
+}
+
+TEST(NamedValue, WordOfAnotherParameterIsNoNumber) {
+    EXPECT_THAT([] { (void)parse_named<AutomaticAlone>("automatic:width=none", "thing"); },
+                ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = \"none\": not a number")));
+    EXPECT_THAT([] { (void)parse_named<AutomaticAlone>("automatic:width=-1", "thing"); },
+                ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = -1: must be in [0, inf)")));
+    EXPECT_EQ(message_of("blur:radius=auto"), "effect blur: radius = \"auto\": not a number");
+}
+
+TEST(NamedValue, DescribesTheWordForZero) {
+    const auto all = describe_named<AutomaticAlone>();
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_THAT(all[0].parameters,
+                ElementsAre(ParameterDescription{"width", "auto", "auto or (0, inf)", "px", "how wide"},
+                            ParameterDescription{"count", "4", "none or (0, 9]", "", "how many"}));
+    EXPECT_EQ(range_text({0.0, 1.0}, "auto"), "auto or (0, 1]");
+    EXPECT_EQ(range_text({0.0, 1.0}, ""), "[0, 1]");
+}
+
 TEST(NamedValue, CaseMakesNoDifference) {
     EXPECT_EQ(message_of("Blur:RADIUS=2,Passes=3"), message_of("blur:radius=2,passes=3"));
     EXPECT_EQ(message_of("BLUR").substr(0, 14), "no error: blur");

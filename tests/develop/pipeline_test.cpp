@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,9 +77,10 @@ std::string message_of(std::string_view text) {
 }
 
 TEST(Pipeline, TextOfTheDefault) {
-    EXPECT_EQ(to_text(Pipeline{}),
-              "tonemap=reinhard-global:key=0.18,white=inf display=srgb gamut=clip transfer=srgb bits=8 "
-              "dither=floyd-steinberg");
+    EXPECT_EQ(
+        to_text(Pipeline{}),
+        "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip "
+        "transfer=srgb bits=8 dither=floyd-steinberg");
 }
 
 TEST(Pipeline, EveryCombinationReadsBackAsTheSameValue) {
@@ -92,9 +94,17 @@ TEST(Pipeline, EveryCombinationReadsBackAsTheSameValue) {
 
 TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
     Pcg32 random(70);
-    for (int round = 0; round < 1000; ++round) {
+    std::vector<Adaptation> adaptations;
+    for_each_alternative<Adaptation>([&](const auto& adaptation) { adaptations.emplace_back(adaptation); });
+    for (int round = 0; round < 300; ++round) {
         for_each_pipeline([&](Pipeline pipeline) {
+            pipeline.bloom = QuarticBloom{};
+            pipeline.vision = HumanVision{};
+            randomise(pipeline.bloom, random);
+            randomise(pipeline.vision, random);
+            pipeline.adaptation = adaptations[random.next() % adaptations.size()];
             randomise(pipeline.tone_mapper, random);
+            randomise(*pipeline.adaptation, random);
             randomise(pipeline.display, random);
             randomise(pipeline.gamut, random);
             randomise(pipeline.transfer, random);
@@ -103,6 +113,18 @@ TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
             ASSERT_EQ(parse_pipeline(to_text(pipeline)), pipeline) << to_text(pipeline);
         });
     }
+}
+
+TEST(Pipeline, EveryAdaptationReadsBackAsTheSameValue) {
+    for_each_alternative<Adaptation>([](const auto& adaptation) {
+        Pipeline pipeline;
+        pipeline.adaptation = adaptation;
+        EXPECT_EQ(parse_pipeline(to_text(pipeline)), pipeline) << to_text(pipeline);
+    });
+    EXPECT_EQ(parse_pipeline("adaptation=own"), Pipeline{});
+    EXPECT_EQ(parse_pipeline("adaptation=spot:x=0.25").adaptation, Adaptation(SpotAdaptation{0.25f}));
+    EXPECT_THAT(message_of("adaptation=spto"), HasSubstr("adaptation \"spto\": unknown; expected spot"));
+    EXPECT_EQ(message_of("adaptation=spot:y=2"), "adaptation spot: y = 2: must be in [0, 1]");
 }
 
 TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
@@ -114,11 +136,23 @@ TEST(Pipeline, LeftOutStagesHaveTheirDefault) {
     EXPECT_EQ(parse_pipeline(" dither=none\ttonemap=reinhard-global:key=0.5 \n"), expected);
 }
 
+TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
+    Pipeline expected;
+    expected.bloom = QuarticBloom{0.25f, 0.5f};
+    expected.vision = HumanVision{.fov = 30.0f, .rods = 0.5f};
+    EXPECT_EQ(parse_pipeline("vision=human:fov=30,rods=0.5 bloom=quartic:radius=0.25,weight=0.5"), expected);
+    EXPECT_EQ(parse_pipeline(to_text(expected)), expected);
+    EXPECT_EQ(message_of("bloom=quartic:weight=2"), "bloom quartic: weight = 2: must be in [0, 1]");
+    EXPECT_EQ(message_of("vision=human:fov=180"), "vision human: fov = 180: must be in [1, 170]");
+}
+
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, display, gamut or bits");
-    EXPECT_EQ(message_of("tonemap=max"), "tonemap \"max\": unknown; expected max-to-white or reinhard-global");
-    EXPECT_EQ(message_of("tonemap=reinhard-global:key=0"), "tonemap reinhard-global: key = 0: must be in (0, inf)");
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, bloom, adaptation, display, "
+              "gamut, vision or bits");
+    EXPECT_THAT(message_of("tonemap=max-to-whit"),
+                HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
+    EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");
     EXPECT_EQ(message_of("bits=10"), "bits = 10: must be in [8, 8]");
     EXPECT_EQ(message_of("bits=x"), "bits = \"x\": not a whole number");
     EXPECT_EQ(message_of("dither"), "pipeline: found \"dither\", expected stage=value");
@@ -129,13 +163,17 @@ TEST(Pipeline, WrongTextsNameWhatIsRight) {
 
 TEST(Pipeline, ValidateNamesTheStage) {
     Pipeline pipeline;
+    pipeline.adaptation = CentreWeightedAdaptation{0.0f};
+    EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                 "adaptation centre-weighted: sigma = 0: must be in (0, inf)"));
+    pipeline = {};
     pipeline.bits = 16;
     EXPECT_THAT([&] { validate(pipeline); },
                 testing::ThrowsMessage<std::invalid_argument>("bits = 16: must be in [8, 8]"));
     pipeline = {};
     pipeline.tone_mapper = ReinhardGlobal{-1.0f};
     EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
-                                                 "tonemap reinhard-global: key = -1: must be in (0, inf)"));
+                                                 "tonemap reinhard-global: key = -1: must be in [0, inf)"));
 }
 
 }  // namespace

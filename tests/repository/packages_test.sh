@@ -52,7 +52,7 @@ missing=$(comm -23 "$scratch/used" "$scratch/brought")
 # --- Each library's development package by name: a package that only happens to bring it may cease to
 grep -rhoE --include='*.cmake' --include=CMakeLists.txt 'find_package\([A-Za-z0-9]+' "$repository"/{CMakeLists.txt,cmake,tests,bench} |
     sed 's/find_package(//' | sort -u >"$scratch/found"
-declare -A package_of=([Imath]=libimath-dev [OpenEXR]=libopenexr-dev [TBB]=libtbb-dev [PNG]=libpng-dev [fmt]=libfmt-dev
+declare -A package_of=([Imath]=libimath-dev [OpenEXR]=libopenexr-dev [TBB]=libtbb-dev [PNG]=libpng-dev [fmt]=libfmt-dev [Highway]=libhwy-dev
     [CLI11]=libcli11-dev [embree]=libembree-dev [GTest]=libgtest-dev [benchmark]=libbenchmark-dev)
 while read -r library; do
     package=${package_of[$library]-}

@@ -1,5 +1,6 @@
 #include "tonemap/luminance_statistics.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 
 #include "core/random.h"
 #include "test_pictures.h"
+#include "tonemap/scene_luminance.h"
 
 namespace emulsion {
 namespace {
@@ -99,6 +101,31 @@ TEST(LuminanceStatistics, SameBitsForEveryNumberOfThreads) {
     const Image<XYZ> scene = random_scene(1021, 509, 3);
     const LuminanceStatistics one = of(scene, 1);
     for (const int threads : {2, 3, 8, 0}) EXPECT_EQ(of(scene, threads), one) << threads;
+}
+
+// One outlier of 64 to 1999 pixels at each end, one thousandth of more.
+TEST(LuminanceStatistics, RobustEndsLeaveOutliersOut) {
+    for (const int count : {64, 81, 1999, 2000, 5000}) {
+        Image<XYZ> scene = ramp_of_greys(1.0, 100.0, count);
+        const int outliers = std::max(1, count / 1000);
+        for (int i = 0; i < outliers; ++i) {
+            scene(i, 0) = grey(1e-30f);
+            scene(count - 1 - i, 0) = grey(1e30f);
+        }
+        const SceneLuminance luminance = SceneLuminance(scene.view(), 1);
+        EXPECT_NEAR(luminance.robust_min_cdm2() / double{scene(outliers, 0).y}, 1.0, 1.0 / 32.0) << count;
+        EXPECT_NEAR(luminance.robust_max_cdm2() / double{scene(count - 1 - outliers, 0).y}, 1.0, 1.0 / 32.0) << count;
+    }
+}
+
+TEST(LuminanceStatistics, SmallPicturesHaveNoOutliers) {
+    Image<XYZ> scene = ramp_of_greys(1.0, 100.0, 63);
+    scene(0, 0) = grey(1e-30f);
+    scene(1, 0) = grey(1e30f);
+    const SceneLuminance luminance = SceneLuminance(scene.view(), 1);
+    EXPECT_EQ(luminance.robust_min_cdm2(), double{1e-30f});
+    EXPECT_EQ(luminance.robust_max_cdm2(), double{1e30f});
+    EXPECT_EQ(SceneLuminance(Image<XYZ>(9, 9).view(), 1).robust_max_cdm2(), 0.0);
 }
 
 TEST(LuminanceStatistics, ScalesWithTheUnit) {

@@ -1,0 +1,93 @@
+#include "develop/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/row_blocks.h"
+#include "develop/develop.h"
+#include "display/label.h"
+
+namespace emulsion {
+
+namespace {
+
+constexpr int kMargin_px = 8;
+constexpr int kLabelScale = 2;
+constexpr CodeRGB kBackground{38, 38, 38}, kInk{220, 220, 220};
+
+/// The pixel range [begin, end) of `size` that the pixel `i` of `smaller` stands for.
+std::pair<int, int> stretch(int i, int smaller, int size) noexcept {
+    const auto edge = [&](int at) { return static_cast<int>(std::int64_t{size} * at / smaller); };
+    return {edge(i), edge(i + 1)};
+}
+
+/// The mean of each stretch of pixels, each of them no brighter than display white, as it will be shown.
+Image<XYZ> averaged_down(const Image<XYZ>& display, int width, int height, int threads) {
+    Image<XYZ> smaller(width, height);
+    parallel_for_rows(width, height, threads, [&](int y) {
+        const auto [y0, y1] = stretch(y, height, display.height());
+        for (int x = 0; x < width; ++x) {
+            const auto [x0, x1] = stretch(x, width, display.width());
+            XYZ sum;
+            for (int v = y0; v < y1; ++v) {
+                for (int u = x0; u < x1; ++u) {
+                    const XYZ& pixel = display(u, v);
+                    sum = sum + 1.0f / std::max(1.0f, pixel.y) * pixel;
+                }
+            }
+            smaller(x, y) = 1.0f / static_cast<float>((x1 - x0) * (y1 - y0)) * sum;
+        }
+    });
+    return smaller;
+}
+
+void paste(const Image<CodeRGB>& tile, int x, int y, Image<CodeRGB>& sheet) {
+    for (int v = 0; v < tile.height(); ++v) {
+        std::copy(tile.row(v).begin(), tile.row(v).end(), sheet.row(y + v).begin() + x);
+    }
+}
+
+}  // namespace
+
+Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, int tile_px, int threads) {
+    check_range(tile_px, {16.0, 4096.0}, "tile_px");
+    validate(pipeline);
+    const double shrink = std::min(1.0, double(tile_px) / std::max({scene.width(), scene.height(), 1}));
+    const int width = std::max(1, static_cast<int>(std::lround(shrink * scene.width())));
+    const int height = std::max(1, static_cast<int>(std::lround(shrink * scene.height())));
+
+    // Room for the names, and a sheet about half as high again as it is wide at most.
+    std::size_t longest_name = 0;
+    for (const std::string_view name : names_of<ToneMapper>()) longest_name = std::max(longest_name, name.size());
+    const int label_width = static_cast<int>(longest_name) * kLabelAdvance_px * kLabelScale;
+    const int cell_width = std::max(width, label_width) + kMargin_px;
+    const int cell_height = height + kLabelHeight_px * kLabelScale + 2 * kMargin_px;
+    const auto count = static_cast<int>(std::variant_size_v<ToneMapper>);
+    const int columns =
+        std::clamp(static_cast<int>(std::ceil(std::sqrt(1.5 * count * cell_height / cell_width))), 1, count);
+    const int rows = (count + columns - 1) / columns;
+
+    Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
+    std::fill(sheet.pixels().begin(), sheet.pixels().end(), kBackground);
+    const XYZd white = white_xyz(pipeline.display);
+    const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
+    const Image<XYZ>& picture = before ? *before : scene;
+    int number = 0;
+    for_each_alternative<ToneMapper>([&](const auto& mapper) {
+        const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
+        const ToneMapResult mapped = tone_map({.mapper = mapper}, picture.view(), display_white, threads);
+        const Image<XYZ> tile = averaged_down(mapped.image, width, height, threads);
+        const int x = kMargin_px + number % columns * cell_width, y = kMargin_px + number / columns * cell_height;
+        paste(develop_tone_mapped(tile, pipeline, threads).image, x, y, sheet);
+        draw_label(sheet.view(), x, y + height + kMargin_px / 2, mapper.kName, kInk, kLabelScale);
+        ++number;
+    });
+    return sheet;
+}
+
+}  // namespace emulsion

@@ -1,0 +1,11 @@
+#include "tonemap/fixed_white.h"
+
+namespace emulsion {
+
+Adaptation own_adaptation(const FixedWhite&) noexcept { return LogAverageAdaptation{}; }
+
+ToneReproduction prepare(const FixedWhite& mapper, const SceneLuminance&, double) {
+    return {.exposure = [scale = 1.0 / mapper.white](double) { return scale; }};
+}
+
+}  // namespace emulsion

@@ -1,0 +1,85 @@
+#include "tonemap/relative_luminance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "core/row_blocks.h"
+
+namespace emulsion {
+
+namespace {
+
+constexpr double kLargest = 0x1p119;
+
+bool is_good(const XYZ& pixel, double least_outlier) noexcept {
+    const PixelClass pixel_class = classify(pixel);
+    return pixel_class == PixelClass::zero || (pixel_class == PixelClass::positive && pixel.y < least_outlier);
+}
+
+/// What stands for the pixel at x, y, in cd/m^2; 0 or more.
+double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, double otherwise) noexcept {
+    constexpr int kMostRadius = 4;
+    std::array<float, (2 * kMostRadius + 1) * (2 * kMostRadius + 1)> good{};
+    for (int radius = 1; radius <= kMostRadius; ++radius) {
+        std::size_t count = 0;
+        for (int v = std::max(0, y - radius); v <= std::min(scene.height() - 1, y + radius); ++v) {
+            for (int u = std::max(0, x - radius); u <= std::min(scene.width() - 1, x + radius); ++u) {
+                if (is_good(scene(u, v), least_outlier)) good[count++] = scene(u, v).y;
+            }
+        }
+        if (count == 0) continue;
+        const auto begin = good.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+        std::sort(begin, end);
+        return 0.5 * (double{good[(count - 1) / 2]} + double{good[count / 2]});
+    }
+    return otherwise;
+}
+
+/// Stands in the result for a pixel that is not good, until it is replaced.
+constexpr float kMissing = -1.0f;
+
+/// A row without the branches of classify(), so that it is worked on several pixels at a time. \return whether any is
+/// missing
+template <class T>
+bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
+    constexpr float kLargestFloat = std::numeric_limits<float>::max();
+    bool any_missing = false;
+    for (std::size_t x = 0; x < in.size(); ++x) {
+        const XYZ pixel = in[x];
+        const double luminance = pixel.y;
+        const bool is_good = (luminance >= 0.0) & (luminance < least_outlier) & (pixel.y <= kLargestFloat) &
+                             (std::abs(pixel.x) <= kLargestFloat) & (std::abs(pixel.z) <= kLargestFloat);
+        out[x] = is_good ? static_cast<T>(std::min(luminance * per_cdm2, kLargest)) : T(kMissing);
+        any_missing |= !is_good;
+    }
+    return any_missing;
+}
+
+}  // namespace
+
+double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
+
+template <class T>
+Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads) {
+    const double unit = luminance.statistics().log_average_cdm2, least_outlier = least_outlier_cdm2(luminance);
+    Image<T> result(scene.width(), scene.height());
+    parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
+        const std::span<T> out = result.row(y);
+        if (!relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
+        for (std::size_t x = 0; x < out.size(); ++x) {
+            if (out[x] != T(kMissing)) continue;
+            const double instead = stand_in(scene, static_cast<int>(x), y, least_outlier, unit);
+            out[x] = static_cast<T>(std::min(instead / unit, kLargest));
+        }
+    });
+    return result;
+}
+
+template Image<float> relative_luminance(ImageView<const XYZ>, const SceneLuminance&, int);
+template Image<double> relative_luminance(ImageView<const XYZ>, const SceneLuminance&, int);
+
+}  // namespace emulsion

@@ -1,0 +1,37 @@
+#pragma once
+// What every operator comes to, once it has seen a picture: two functions of one number. World luminance Y and
+// adaptation luminance Ya are in cd/m^2; scaled luminance L has no unit; display luminance Ld is relative: 1 is display
+// white.
+
+#include <functional>
+
+#include "core/color.h"
+#include "core/image.h"
+#include "tonemap/adaptation_luminance.h"
+#include "tonemap/scene_luminance.h"
+
+namespace emulsion {
+
+/// L = exposure(Ya) Y;  Ld = L compression(L).
+/// Global operators have the same Ya for the whole picture, local ones one for each pixel.
+struct ToneReproduction {
+    /// L of 1 cd/m^2, in 1/(cd/m^2); finite and >= 0 for every Ya > 0.
+    std::function<double(double adaptation_cdm2)> exposure;
+    /// Ld / L; finite and >= 0 for every finite L >= 0, at 0 its limit. Empty: 1 for every L.
+    std::function<double(double scaled_luminance)> compression = {};
+
+    /// Ld / Y, in 1/(cd/m^2).
+    [[nodiscard]] double scale(double luminance_cdm2, double adaptation_cdm2) const {
+        const double scaling = exposure(adaptation_cdm2);
+        return compression ? scaling * compression(scaling * luminance_cdm2) : scaling;
+    }
+};
+
+/// Scales every pixel; bad pixels as tone_map() says. In single precision, the functions by tables of 64 knots an
+/// octave (LuminanceTable), or exactly where single precision does not reach. `display` has the size of `scene`, and
+/// may be the same pixels. The picture has positive pixels. \throws std::invalid_argument if threads < 0.
+void reproduce(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
+               const AdaptationLuminance& adaptation, ImageView<const XYZ> scene, ImageView<XYZ> display,
+               const XYZ& display_white, int threads);
+
+}  // namespace emulsion

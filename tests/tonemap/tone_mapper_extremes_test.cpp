@@ -1,0 +1,146 @@
+// Unusual pictures and parameters, for every alternative of the variant.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "every_tone_mapper.h"
+#include "test_pictures.h"
+#include "tonemap/tone_mapper.h"
+
+namespace emulsion {
+namespace {
+
+class EveryToneMapperAt : public EveryToneMapper {};
+
+// As a filtered or interpolated picture has them.
+TEST_P(EveryToneMapperAt, ThousandthOfNegativesLeavesTheOthers) {
+    const Image<XYZ> clean = scene_for(GetParam(), 100, 100, 14);
+    const Image<XYZ> clean_mapped = map(clean);
+    Image<XYZ> scene = clean;
+    Pcg32 random(15);
+    for (int i = 0; i < 10; ++i)
+        scene.pixels()[random.next() % 10000] = {-0.1f, -0.1f * random.next_float() - 1e-6f, 0.2f};
+    const ToneMapResult result = tone_map({GetParam()}, scene.view(), kWhite, 1);
+    EXPECT_EQ(result.statistics.counts.negative, 10);
+    // What was where a pixel is negative now is lost to the neighbourhoods of those beside it.
+    const float tolerance = (is_local(GetParam()) ? 3.0f : 2.0f) / 255.0f;
+    for (std::size_t i = 0; i < clean.pixels().size(); ++i) {
+        if (scene.pixels()[i].y < 0.0f) {
+            EXPECT_EQ(result.image.pixels()[i], XYZ{});
+        } else {
+            EXPECT_NEAR(shown(result.image.pixels()[i]), shown(clean_mapped.pixels()[i]), tolerance) << i;
+        }
+    }
+}
+
+TEST_P(EveryToneMapperAt, RangeOf60DecadesIsDefined) {
+    Pcg32 random(16);
+    Image<XYZ> scene(97, 101);
+    for (XYZ& pixel : scene.pixels()) pixel = grey(std::pow(10.0f, 60.0f * random.next_float() - 30.0f));
+    scene(0, 0) = grey(1e-30f);
+    scene(96, 100) = grey(1e30f);
+    expect_twin(GetParam(), scene);
+    const Image<XYZ> mapped = map(scene);
+    EXPECT_GT(mapped(96, 100).y, 0.5f);
+}
+
+TEST_P(EveryToneMapperAt, DenormalsAreLuminancesToo) {
+    Pcg32 random(17);
+    Image<XYZ> scene(31, 29);
+    for (XYZ& pixel : scene.pixels()) pixel = grey(std::bit_cast<float>(1u + random.next() % 0x7fffffu));
+    expect_twin(GetParam(), scene);
+    for (XYZ& pixel : scene.pixels()) pixel = grey(std::numeric_limits<float>::denorm_min());
+    expect_twin(GetParam(), scene);
+    const Image<XYZ> mapped = map(scene);
+    EXPECT_EQ(mapped(0, 0), mapped(30, 28));
+    if (traits_of(GetParam()).unit != UnitOfLuminance::absolute) {
+        EXPECT_GT(mapped(0, 0).y, 0.02f);
+    }
+}
+
+/// (x, y) of the picture that is turned by a quarter is (y, width - 1 - x) of the original.
+Image<XYZ> turned(const Image<XYZ>& image) {
+    Image<XYZ> result(image.height(), image.width());
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) result(y, image.width() - 1 - x) = image(x, y);
+    }
+    return result;
+}
+
+Image<XYZ> mirrored(const Image<XYZ>& image) {
+    Image<XYZ> result(image.width(), image.height());
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) result(image.width() - 1 - x, y) = image(x, y);
+    }
+    return result;
+}
+
+TEST_P(EveryToneMapperAt, TurnsAndMirrorsWithThePicture) {
+    // One adaptation differs by the order of its sum only; neighbourhoods by the order of their filters too, and where
+    // sizes are not multiples of 16, by which pixels make up one of a smaller picture.
+    const auto expect_same = [](int width, int height, float tolerance) {
+        const Image<XYZ> scene = scene_for(GetParam(), width, height, 18);
+        const Image<XYZ> mapped = map(scene);
+        EXPECT_LE(differences(turned(mapped), map(turned(scene))).first, tolerance);
+        EXPECT_LE(differences(mirrored(mapped), map(mirrored(scene))).first, tolerance);
+    };
+    expect_same(96, 64, is_local(GetParam()) ? 1.0f / 255.0f : 1e-6f);
+    expect_same(83, 59, is_local(GetParam()) ? 0.05f : 1e-6f);
+}
+
+void draw(const ParameterRange& range, Pcg32& random, float& value) {
+    do value = std::bit_cast<float>(random.next());
+    while (!range.contains(value));
+}
+void draw(const ParameterRange& range, Pcg32& random, double& value) {
+    float drawn = 0.0f;
+    draw(range, random, drawn);
+    value = drawn;
+}
+void draw(const ParameterRange& range, Pcg32& random, int& value) {
+    const double most = std::min(range.max, range.min + 1000.0);
+    value = static_cast<int>(range.min + double{random.next_float()} * (most - range.min));
+}
+
+TEST_P(EveryToneMapperAt, AgreesWithItsTwinWithAnyParameters) {
+    Pcg32 random(19);
+    const Image<XYZ> scene = random_scene(16, 16, 20);
+    for (int i = 0; i < 300; ++i) {
+        ToneMapper mapper = GetParam();
+        std::visit(
+            [&]<class T>(T& chosen) {
+                for (const Parameter<T>& parameter : parameters_of<T>()) {
+                    std::visit([&](auto member) { draw(parameter.range, random, chosen.*member); }, parameter.member);
+                }
+            },
+            mapper);
+        expect_twin(mapper, scene);
+    }
+}
+
+TEST_P(EveryToneMapperAt, AgreesWithItsTwinUnderEveryGlobalAdaptation) {
+    Image<XYZ> scene = random_scene(37, 41, 21);
+    scene(3, 3) = grey(std::numeric_limits<float>::quiet_NaN());
+    for_each_alternative<Adaptation>([&](const auto& adaptation) {
+        const ToneMapping mapping{GetParam(), adaptation};
+        const SceneLuminance luminance = SceneLuminance(scene.view(), 1);
+        if (adapt(adaptation, scene.view(), luminance, 1).local.width() > 0) return;
+        const Image<XYZ> fast = tone_map(mapping, scene.view(), kWhite, 0).image;
+        const Image<XYZd> exact = tone_map_reference(mapping, scene.view(), kWhiteD);
+        for (std::size_t i = 0; i < fast.pixels().size(); ++i) {
+            expect_close(fast.pixels()[i], exact.pixels()[i], to_text(Adaptation(adaptation)));
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Extremes, EveryToneMapperAt, testing::ValuesIn(all_mappers()), mapper_name);
+
+}  // namespace
+}  // namespace emulsion
