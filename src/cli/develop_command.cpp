@@ -1,6 +1,7 @@
 #include "cli/develop_command.h"
 
 #include <filesystem>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,14 +70,14 @@ int DevelopCommand::run() const {
     for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
         if (!file.empty()) check_writable(file);
     }
-    const FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
+    FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
     for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
 
     if (!options.curve.empty()) write_curve(options.curve, picture.xyz, options.pipeline, options.threads);
     if (!options.contact_sheet.empty()) {
         write_contact_sheet(options.contact_sheet, picture.xyz, options.pipeline, options.threads);
     }
-    if (!options.png.empty()) develop_to_png(picture.xyz, options.pipeline, options.threads, options.png);
+    if (!options.png.empty()) develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png);
     for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
         if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
     }

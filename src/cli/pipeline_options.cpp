@@ -20,14 +20,14 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                      "Luminance that the operator adapts to", "the operator's own");
 }
 
-void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
-    const DevelopResult developed = develop(scene, pipeline, threads);
+void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
+    const DevelopResult developed = develop(std::move(scene), pipeline, threads);
     const PixelCounts& counts = developed.report.luminance.counts;
     if (counts.bad() > 0) {
         const auto [x, y] = developed.report.luminance.first_bad_px.value_or(std::pair{0, 0});
-        print_warning(
-            fmt::format("{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}",
-                        counts.bad(), scene.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
+        print_warning(fmt::format(
+            "{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}",
+            counts.bad(), developed.image.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
     }
     write_png(png, developed.image, {.text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
 }

@@ -20,6 +20,6 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 
 /// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
 /// \throws IoError if the file can't be written.
-void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
+void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
 
 }  // namespace emulsion::cli

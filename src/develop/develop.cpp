@@ -46,19 +46,14 @@ std::optional<Image<XYZ>> before_tone_mapping(const Image<XYZ>& scene, const Pip
     return picture;
 }
 
-DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
+DevelopResult develop(Image<XYZ> scene, const Pipeline& pipeline, int threads) {
     validate(pipeline);
-    const XYZ white = narrow(white_xyz(pipeline.display));
-    const ToneMapping mapping{pipeline.tone_mapper, pipeline.adaptation};
-    ToneMapResult mapped;
-    if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) {
-        mapped.statistics = tone_map_into(mapping, picture->view(), picture->view(), white, threads);
-        mapped.image = std::move(*picture);
-    } else {
-        mapped = tone_map(mapping, scene.view(), white, threads);
-    }
-    DevelopResult result = develop_tone_mapped(mapped.image, pipeline, threads);
-    result.report.luminance = mapped.statistics;
+    if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) scene = std::move(*picture);
+    const LuminanceStatistics statistics =
+        tone_map_into({pipeline.tone_mapper, pipeline.adaptation}, std::as_const(scene).view(), scene.view(),
+                      narrow(white_xyz(pipeline.display)), threads);
+    DevelopResult result = develop_tone_mapped(scene, pipeline, threads);
+    result.report.luminance = statistics;
     return result;
 }
 
