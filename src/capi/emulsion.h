@@ -226,7 +226,8 @@ emulsion_status emulsion_film_read_sample_counts(const emulsion_film* film, uint
 /* Of samples under the filter, squares of the film's units: 1 number of EMULSION_VARIANCE_LUMINANCE, Y, or 3 of
  * EMULSION_VARIANCE_XYZ. 0 for pixels of fewer than two samples. */
 emulsion_status emulsion_film_read_variance(const emulsion_film* film, float* variance, size_t length);
-/* Of the pixel, in the film's units; as many. For samples that are independent: stratified ones do better. */
+/* Of the pixel, in the film's units; as many. For samples that are independent: stratified ones do better. Films
+ * whose filter has negative lobes take 24 bytes a pixel more for it, or 48 of EMULSION_VARIANCE_XYZ. */
 emulsion_status emulsion_film_read_standard_error(const emulsion_film* film, float* standard_error, size_t length);
 
 /* Mean radiance in each bucket, W m^-2 sr^-1 nm^-1, without the imaging ratio; spectrum_count numbers, from

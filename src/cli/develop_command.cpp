@@ -45,9 +45,9 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {
         if (options.list_tonemaps || options.list_adaptations) return;
-        if (options.exr.empty()) throw CLI::RequiredError("EXR");
+        if (options.exr.empty()) throw CLI::ValidationError("EXR", "found none, expected a file");
         if (options.png.empty() && options.contact_sheet.empty() && options.curve.empty()) {
-            throw CLI::RequiredError("One of --output, --contact-sheet and --curve");
+            throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet or --curve");
         }
         require_distinct({{"EXR", options.exr},
                           {"--output", options.png},

@@ -48,7 +48,7 @@ void add_file_options(CLI::App& command, RenderSettings& settings) {
 }
 
 void add_sample_options(CLI::App& command, RenderSettings& settings) {
-    command.add_option("--spp", settings.samples_per_pixel, "Samples per pixel, >= 1 [default: the scene's]")
+    command.add_option("--spp", settings.samples_per_pixel, "Samples per pixel, 1 to 16777216 [default: the scene's]")
         ->check(whole_number_check(1, kMostSamplesPerPixel))
         ->option_text("N");
     command.add_option("--seed", settings.seed, "Seed of the random numbers, >= 0 [default: the scene's, or 0]")

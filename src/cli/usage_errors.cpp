@@ -78,7 +78,10 @@ std::string unknown_text(const CLI::App& command, const std::vector<std::string>
 
 /// Of values too many or too few; the message starts with the option's name.
 std::string mismatch_text(const CLI::App& command, const std::string& message) {
-    const std::string name = message.substr(0, message.find_first_of(": "));
+    // "Could not convert: --half = x" is of a flag.
+    constexpr std::string_view kConversion = "Could not convert: ";
+    const std::string from_name = message.starts_with(kConversion) ? message.substr(kConversion.size()) : message;
+    const std::string name = from_name.substr(0, from_name.find_first_of(": "));
     const std::vector<const CLI::Option*> options = command.get_options();
     const auto is_named = [&](const CLI::Option* each) { return each->check_name(name); };
     const auto found = std::find_if(options.begin(), options.end(), is_named);

@@ -89,7 +89,7 @@ void BasicFilm<Sums>::merge(const BasicFilm& other) {
 template <class Sums>
 void BasicFilm<Sums>::add_light_paths(std::uint64_t paths) {
     const std::lock_guard lock(mutex_);
-    contents_.counts.light_paths += paths;
+    contents_.counts.add_light_paths(paths);
 }
 
 template <class Sums>

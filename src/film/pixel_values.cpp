@@ -23,7 +23,7 @@ std::optional<XYZd> median_of_means(std::span<const ExactSum> groups, std::uint3
     for (std::size_t at = 0; at < groups.size(); at += 4) {
         const double weight = groups[at + 3].value();
         // A group has one in so many of the samples.
-        if (!is_enough(weight, static_cast<double>(4 * samples) / static_cast<double>(groups.size()))) continue;
+        if (!is_enough(weight, 4.0 * static_cast<double>(samples) / static_cast<double>(groups.size()))) continue;
         means[count++] = (1.0 / weight) * XYZd{groups[at].value(), groups[at + 1].value(), groups[at + 2].value()};
     }
     if (count == 0) return std::nullopt;
@@ -40,7 +40,7 @@ double effective_samples(const PixelSums& sums, const FilmSetup& setup) noexcept
     return sums.weighted.weight * sums.weighted.weight / squared_weights.back().value();
 }
 
-/// Of the component that has square `k`, at least two samples and an n above 1.
+/// Of the component that has square `k`; variance_of() says for which n.
 double variance(const PixelSums& sums, const FilmSetup& setup, std::size_t k, double mean) noexcept {
     const double square = sums.squares[k].value();
     const std::span<const ExactSum> squared_weights = group_of(sums, setup.channels.squared_weights);
@@ -82,7 +82,9 @@ PixelVariance variance_of(const PixelSums& sums, const FilmSetup& setup) noexcep
     const std::optional<XYZd> mean = mean_of(sums);
     if (!mean || sums.samples < 2 || sums.squares.empty()) return result;
     const double n = effective_samples(sums, setup);
-    if (!(n > 1.0)) return result;
+    // Of a ratio m is what its correction needs above 1, and n may be anything above 0: weights cancel.
+    const bool is_ratio = setup.channels.squared_weights.size > 0;
+    if (!(n > (is_ratio ? 0.0 : 1.0))) return result;
     const auto fill = [&](double XYZd::*component, std::size_t k) {
         result.variance.*component = variance(sums, setup, k, (*mean).*component);
         result.standard_error.*component = std::sqrt(result.variance.*component / n);

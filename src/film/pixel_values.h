@@ -39,7 +39,8 @@ struct PixelSums {
 [[nodiscard]] XYZd light_value_of(const PixelSums& sums, const FilmSetup& setup, std::uint64_t light_paths) noexcept;
 
 /// Variance and standard error, each of luminance or of X, Y and Z as FilmVariance says; 0 for a pixel without value
-/// and for one with a single sample. Both hold for samples that are independent of each other. Stratified and
+/// and for one with a single sample; without negative lobes also where n, below, is at most 1, as of one or two samples
+/// far out under a narrow filter. Both hold for samples that are independent of each other. Stratified and
 /// low-discrepancy samples do better, so that their error is overestimated.
 ///
 /// Under filters without negative lobes, variance = n / (n - 1) (sum(w v^2) / sum(w) - R^2), R = sum(w v) / sum(w), and

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -80,6 +81,21 @@ TEST(FilmLightSplat, FromBeyondReachesInAndTheRestIsIgnored) {
     // (1 - 1/2) / 2 across and (1 - 0.5/2) / 2 down: triangles of radius 2, integral 2.
     EXPECT_FLOAT_EQ(film.xyz_image()(0, 0).y, 0.25f * 0.375f);
     EXPECT_FLOAT_EQ(film.xyz_image()(1, 0).y, 0.0f);
+}
+
+TEST(FilmLightSplat, PathsStayAtTheEndOfTheirRange) {
+    constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
+    Film film({.width_px = 1, .height_px = 1, .light_splats = true});
+    film.add_light_paths(5);
+    film.add_light_paths(kMost - 1);
+    EXPECT_EQ(film.counts().light_paths, kMost);
+    FilmCounts a, b;
+    a.add_light_paths(kMost - 3);
+    b.add_light_paths(3);
+    a.merge(b);
+    EXPECT_EQ(a.light_paths, kMost);
+    a.merge(b);
+    EXPECT_EQ(a.light_paths, kMost);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,20 @@ TEST(FilmVariance, IsThatOfARatioUnderLobes) {
 }
 
 // Sums of squares are exact, too.
+// sum(w) = 2.5 and sum(w^2) = 6.25: an effective number of one sample, and still an error. R = 6;
+// se^2 = 4/3 * 1.25^2 (5^2 + 3^2 + 2^2 + 4^2) / 2.5^2 = 18.
+TEST(FilmVariance, IsNotZeroWhereWeightsCancel) {
+    Film film({.width_px = 1, .height_px = 1, .filter = MitchellFilter{}, .variance = FilmVariance::luminance});
+    FilmTile tile = film.make_tile(film.bounds());
+    for (const auto& [weight, y] : {std::pair{1.25f, 1.0f}, {1.25f, 9.0f}, {1.25f, 4.0f}, {-1.25f, 2.0f}}) {
+        tile.add(0, 0, XYZ{y, y, y}, weight);
+    }
+    film.merge(tile);
+    const PixelVariance found = first_pixel_variance(film);
+    EXPECT_NEAR(found.standard_error.y, std::sqrt(18.0), 1e-12);
+    EXPECT_NEAR(found.variance.y, 18.0, 1e-11);
+}
+
 TEST(FilmVariance, IsBitIdenticalForEveryOrder) {
     for (const Filter& filter : {Filter(BoxFilter{}), Filter(MitchellFilter{})}) {
         const FilmOptions options{.width_px = 6, .height_px = 5, .filter = filter, .variance = FilmVariance::xyz};

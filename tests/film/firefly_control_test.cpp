@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,24 @@ TEST(FireflyControl, MedianIsOneOfTheMeans) {
     EXPECT_EQ(pixel_of(4, {d, c, a, b}), (XYZ{4.0f, 2.5f, 1.5f}));
     EXPECT_EQ(pixel_of(5, {d, c, a}), c) << "groups without samples do not count";
     EXPECT_EQ(pixel_of(3, {a, b, c, a, b, c}), b);
+}
+
+// A group whose weights cancel to less than 1/64 of its samples has no value, however many these are.
+TEST(FireflyControl, GroupsOfVeryManySamplesMayCancel) {
+    const FilmSetup setup(FilmOptions{.width_px = 1, .height_px = 1, .firefly_control = MedianOfMeans{3}});
+    std::vector<ExactSum> channels(static_cast<std::size_t>(setup.channels.sums));
+    const auto fill = [&](std::size_t group, double luminance, double weight) {
+        const std::size_t at = static_cast<std::size_t>(setup.channels.means.begin) + 4 * group;
+        for (std::size_t i = 0; i < 3; ++i) channels[at + i] = ExactSum(weight * luminance);
+        channels[at + 3] = ExactSum(weight);
+    };
+    fill(0, 3.0, 3.6e8);
+    fill(1, 5.0, 1e6);
+    fill(2, 5.0, 1e6);
+    const PixelSums sums{{{3e8, 3e8, 3e8}, 3.62e8}, 1'100'000'000, channels};
+    const auto value = camera_value_of(sums, setup);
+    ASSERT_TRUE(value);
+    EXPECT_DOUBLE_EQ(value->y, 3.0);
 }
 
 // Sample i is in group i mod 5 whatever the order, the tile and the run.

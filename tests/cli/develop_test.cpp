@@ -1,0 +1,88 @@
+// `emulsion develop`: what helps to choose an operator.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "film/exr_file.h"
+#include "run_program.h"
+#include "support/temporary_folder.h"
+#include "tonemap/tone_mapper.h"
+
+namespace emulsion::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string write_ramp(const TemporaryFolder& folder) {
+    FilmPicture picture;
+    picture.xyz = Image<XYZ>(64, 16);
+    picture.data_window = {0, 0, 64, 16};
+    picture.width_px = 64;
+    picture.height_px = 16;
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 64; ++x)
+            picture.xyz(x, y) = {1.0f + static_cast<float>(x), 1.0f + static_cast<float>(x), 9.0f};
+    }
+    const std::string exr = folder.file("ramp.exr");
+    (void)write_exr(exr, picture, {}, {});
+    return exr;
+}
+
+// Names at the start of a line, everything else indented.
+TEST(Develop, ListsEveryOperatorAndAdaptation) {
+    const auto expect_blocks = [](const std::string& flag, const std::vector<std::string_view>& names) {
+        const ProgramResult result = run_program({"develop", flag});
+        EXPECT_EQ(result.exit_code, 0);
+        std::vector<std::string> found;
+        for (const std::string& line : lines_of(result.out)) {
+            if (!line.empty() && line[0] != ' ') found.push_back(line);
+        }
+        EXPECT_EQ(found, std::vector<std::string>(names.begin(), names.end()));
+    };
+    expect_blocks("--list-tonemaps", names_of<ToneMapper>());
+    expect_blocks("--list-adaptations", names_of<Adaptation>());
+    EXPECT_THAT(
+        run_program({"develop", "--list-tonemaps"}).out,
+        HasSubstr("\nfixed\n    linear, a given luminance becomes display white\n    white  [default: 100; range: (0, "
+                  "inf); unit: cd/m^2]\n"));
+}
+
+TEST(Develop, WritesTheCurve) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), csv = folder.file("curve.csv");
+    const ProgramResult result = run_program({"develop", exr, "--curve", csv, "--tonemap", "fixed:white=32"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const std::vector<std::string> lines = lines_of(read_text(csv));
+    ASSERT_GE(lines.size(), 4u);
+    EXPECT_THAT(lines[0], StartsWith("# fixed:white=32 adapted to log-average"));
+    EXPECT_EQ(lines[2], "luminance_cdm2,display_luminance");
+    EXPECT_EQ(lines[3], "1,0.03125");
+    EXPECT_EQ(lines.back(), "64,2");
+}
+
+TEST(Develop, DrawsTheContactSheetBesideThePicture) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder);
+    const ProgramResult result =
+        run_program({"develop", exr, "--contact-sheet", folder.file("sheet.png"), "-o", folder.file("ramp.png")});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(read_text(folder.file("sheet.png")), StartsWith("\x89PNG"));
+    EXPECT_THAT(read_text(folder.file("ramp.png")), HasSubstr("tonemap=reinhard-global:key=0.18,white=inf"));
+}
+
+}  // namespace
+}  // namespace emulsion::testing

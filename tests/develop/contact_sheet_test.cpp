@@ -1,0 +1,50 @@
+#include "develop/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace emulsion {
+namespace {
+
+/// How many of the sheet's pixels are of the colour.
+std::ptrdiff_t count_of(const Image<CodeRGB>& sheet, const CodeRGB& color) {
+    return std::count(sheet.pixels().begin(), sheet.pixels().end(), color);
+}
+
+TEST(ContactSheet, HasATileForEveryOperator) {
+    // Black pictures: tiles are black, and nothing else of the sheet is.
+    for (const auto& [width, height] : {std::pair{64, 32}, {7, 500}, {1, 1}}) {
+        const Image<CodeRGB> sheet = contact_sheet(Image<XYZ>(width, height), {}, 32, 0);
+        const double shrink = std::min(1.0, 32.0 / std::max(width, height));
+        const auto tile = std::max(1L, std::lround(shrink * width)) * std::max(1L, std::lround(shrink * height));
+        EXPECT_EQ(count_of(sheet, {}), tile * static_cast<long>(std::variant_size_v<ToneMapper>)) << width;
+    }
+}
+
+TEST(ContactSheet, AveragesWhatIsShown) {
+    // Half of every stretch is far past white, half is black: a flat tile, that max-to-white makes linear grey.
+    Image<XYZ> scene(64, 64);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; x += 2) scene(x, y) = {0.9505f, 1.0f, 1.089f};
+    }
+    const Pipeline pipeline{.dither = NoDither{}};
+    const Image<CodeRGB> sheet = contact_sheet(scene, pipeline, 32, 1);
+    // sRGB of 0.5 is 187.5.
+    EXPECT_GE(count_of(sheet, {188, 188, 188}) + count_of(sheet, {187, 187, 187}), 32 * 32);
+}
+
+TEST(ContactSheet, RejectsWhatItCannotDraw) {
+    const Image<XYZ> scene(8, 8);
+    EXPECT_THROW((void)contact_sheet(scene, {}, 15, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, 4097, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(Image<XYZ>(), {}, 32, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, 32, -1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace emulsion
