@@ -32,7 +32,7 @@ void look_up(const LuminanceTable::View& table, const float* keys, std::size_t c
         const auto bits = hn::BitCast(unsigned_tag, hn::LoadU(tag, keys + i));
         return hn::Min(hn::Max(bits, hn::Set(unsigned_tag, table.least_bits)), hn::Set(unsigned_tag, table.most_bits));
     };
-    std::array<std::uint32_t, kBlock + hn::MaxLanes(Floats())> cells;
+    std::array<std::uint32_t, kBlock + hn::MaxLanes(Floats())> cells{};
     for (std::size_t i = 0; i < count; i += lanes) {
         const auto cell = hn::ShiftRight<LuminanceTable::kShift>(bits_of(i));
         hn::StoreU(hn::Sub(cell, hn::Set(unsigned_tag, table.first_cell)), unsigned_tag, cells.data() + i);
@@ -65,7 +65,7 @@ void scale_vector(std::size_t x, const float* in, float* out, const ScaleOf& sca
         return;
     }
     constexpr std::size_t kMost = hn::MaxLanes(Floats());
-    std::array<float, 3 * kMost> before;  // all of it that is read is set
+    std::array<float, 3 * kMost> before{};
     std::array<std::uint8_t, (kMost + 7) / 8 + 8> is_plain{};
     hn::StoreInterleaved3(px, py, pz, tag, before.data());
     hn::StoreInterleaved3(sx, sy, sz, tag, out);
