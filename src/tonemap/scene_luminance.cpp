@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -32,8 +33,8 @@ double outliers(double count) noexcept {
 SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, int threads)
     : SceneLuminance(scene, luminance_statistics(scene, threads), threads) {}
 
-SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, const LuminanceStatistics& statistics, int threads)
-    : scene_(scene), threads_(threads), statistics_(statistics) {}
+SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, LuminanceStatistics statistics, int threads)
+    : scene_(scene), threads_(threads), statistics_(std::move(statistics)) {}
 
 const LuminanceHistogram& SceneLuminance::histogram() const {
     if (histogram_) return *histogram_;
