@@ -23,6 +23,7 @@ declare -A sole_user=(
     ['^(OpenEXR/|Imf|Iex|IlmThread|openexr)']=film
     ['^(libpng[0-9]*/)?png(conf|libconf)?\.h$']=display
     ['^embree']=pathtracer
+    ['^hwy/']=tonemap
 )
 
 # --- Folders
