@@ -14,12 +14,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "tonemap/pixel_vectors.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace emulsion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Floats = hn::ScalableTag<float>;
-using Vector = hn::Vec<Floats>;
 
 /// Sum of natural logarithms of vectors of normal numbers.
 class LogSum {
@@ -84,38 +84,60 @@ void add_pixel(const XYZ& pixel, std::size_t x, RowStatistics& row) noexcept {
     row.max = std::max(row.max, pixel.y);
 }
 
-RowStatistics gather(const XYZ* pixels, std::size_t size) {
-    const Floats tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    const auto largest = hn::Set(tag, std::numeric_limits<float>::max());
-    const auto least_normal = hn::Set(tag, std::numeric_limits<float>::min());
-    const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
-    RowStatistics row;
-    LogSum log_sum;
-    auto min = infinity, max = hn::Zero(tag);
-    std::size_t x = 0;
-    for (; x + lanes <= size; x += lanes) {
-        Vector px, py, pz;
-        hn::LoadInterleaved3(tag, &pixels[x].x, px, py, pz);
-        const auto is_normal = hn::And(hn::Ge(py, least_normal), hn::Le(py, largest));
-        const auto is_zero = hn::Eq(py, hn::Zero(tag));
-        const auto others_finite = hn::And(hn::Le(hn::Abs(px), largest), hn::Le(hn::Abs(pz), largest));
-        if (HWY_UNLIKELY(!hn::AllTrue(tag, hn::And(hn::Or(is_normal, is_zero), others_finite)))) {
-            for (std::size_t i = x; i < x + lanes; ++i) add_pixel(pixels[i], i, row);
-            continue;
+/// Statistics of whole vectors of pixels whose luminances are 0 or normal numbers, and whose components are finite.
+class VectorStatistics {
+  public:
+    VectorStatistics() : min_(hn::Set(Floats(), std::numeric_limits<float>::infinity())), max_(hn::Zero(Floats())) {}
+
+    /// The vectors from pixel x on, up to the first that has another pixel, or that would be past the end. Returns
+    /// where that one begins. No calls but a seldom one are in this loop, so that its constants stay in registers.
+    std::size_t add(std::size_t x, std::span<const XYZ> row) {
+        const Floats tag;
+        const std::size_t lanes = hn::Lanes(tag);
+        const PixelLanes pixel_lanes;
+        const auto largest = hn::Set(tag, std::numeric_limits<float>::max());
+        const auto least_normal = hn::Set(tag, std::numeric_limits<float>::min());
+        const auto is_finite = [&](Vector v) { return hn::Le(hn::Abs(v), largest); };
+        for (; x + lanes <= row.size(); x += lanes) {
+            const PixelVectors pixels(&row[x].x);
+            const auto luminances = pixel_lanes.some_luminances(pixels);
+            const auto is_normal = hn::Ge(luminances, least_normal);
+            const auto is_zero = hn::Eq(luminances, hn::Zero(tag));
+            const auto finite = hn::And(is_finite(pixels.a), hn::And(is_finite(pixels.b), is_finite(pixels.c)));
+            if (!hn::AllTrue(tag, hn::And(hn::Or(is_normal, is_zero), finite))) break;
+            zeros_ += static_cast<std::int64_t>(hn::CountTrue(tag, is_zero));
+            max_ = hn::Max(max_, luminances);
+            min_ = hn::Min(min_, hn::IfThenElse(is_zero, min_, luminances));
+            log_sum_.add(hn::IfThenElse(is_zero, hn::Set(tag, 1.0f), luminances));
+            pixels_ += static_cast<std::int64_t>(lanes);
         }
-        const auto positive = static_cast<std::int64_t>(hn::CountTrue(tag, is_normal));
-        row.counts.positive += positive;
-        row.counts.zero += static_cast<std::int64_t>(lanes) - positive;
-        max = hn::Max(max, py);
-        min = hn::Min(min, hn::IfThenElse(is_zero, infinity, py));
-        log_sum.add(hn::IfThenElse(is_zero, hn::Set(tag, 1.0f), py));
+        return x;
     }
-    row.min_positive = std::min(row.min_positive, hn::GetLane(hn::MinOfLanes(tag, min)));
-    row.max = std::max(row.max, hn::GetLane(hn::MaxOfLanes(tag, max)));
-    for (; x < size; ++x) add_pixel(pixels[x], x, row);
-    row.log_sum += log_sum.sum();
-    return row;
+
+    void add_to(RowStatistics& row) {
+        row.min_positive = std::min(row.min_positive, hn::GetLane(hn::MinOfLanes(Floats(), min_)));
+        row.max = std::max(row.max, hn::GetLane(hn::MaxOfLanes(Floats(), max_)));
+        row.counts.positive += pixels_ - zeros_;
+        row.counts.zero += zeros_;
+        row.log_sum += log_sum_.sum();
+    }
+
+  private:
+    std::int64_t pixels_ = 0, zeros_ = 0;
+    Vector min_, max_;
+    LogSum log_sum_;
+};
+
+RowStatistics gather(std::span<const XYZ> row) {
+    RowStatistics statistics;
+    VectorStatistics of_vectors;
+    for (std::size_t x = 0; x < row.size();) {
+        x = of_vectors.add(x, row);
+        const std::size_t end = std::min(x + hn::Lanes(Floats()), row.size());
+        for (; x < end; ++x) add_pixel(row[x], x, statistics);
+    }
+    of_vectors.add_to(statistics);
+    return statistics;
 }
 
 }  // namespace emulsion::HWY_NAMESPACE
@@ -128,9 +150,7 @@ namespace {
 HWY_EXPORT(gather);
 }
 
-RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept {
-    return HWY_DYNAMIC_DISPATCH(gather)(row.data(), row.size());
-}
+RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept { return HWY_DYNAMIC_DISPATCH(gather)(row); }
 
 }  // namespace emulsion
 #endif

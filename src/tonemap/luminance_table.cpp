@@ -25,7 +25,7 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
         const auto is_held = [](double value) { return value == 0.0 || (value > 0x1p-90 && value < 0x1p126); };
         const bool held = cell >= kFirstNormal && is_held(here) && is_held(next);
         const double value = held ? here : std::numeric_limits<double>::quiet_NaN();
-        cells_.push_back({static_cast<float>(value), static_cast<float>(slope)});
+        cells_.push_back(std::bit_cast<std::int64_t>(Cell{static_cast<float>(value), static_cast<float>(slope)}));
         here = next;
         least_value_ = std::min(least_value_, next);
         most_value_ = std::max(most_value_, next);

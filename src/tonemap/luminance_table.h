@@ -29,16 +29,17 @@ class LuminanceTable {
         float slope = 0.0f;  ///< for each step between floats
     };
     /// f at any float: bits = those of x, held in [least_bits, most_bits], so that what is negative or NaN is past the
-    /// largest; cell = cells[(bits >> kShift) - first_cell]; f = cell.value + (bits & kFractionBits) * cell.slope.
+    /// largest; cell = cells[(bits >> kShift) - first_cell], the bits of a Cell, which vectors of indices gather at
+    /// once; f = cell.value + (bits & kFractionBits) * cell.slope.
     struct View {
-        const Cell* cells = nullptr;
+        const std::int64_t* cells = nullptr;
         std::uint32_t first_cell = 0, least_bits = 0, most_bits = 0;
     };
     [[nodiscard]] View view() const noexcept { return {cells_.data(), first_cell_, least_bits_, most_bits_}; }
 
     [[nodiscard]] float operator()(float x) const noexcept {
         const std::uint32_t bits = std::clamp(std::bit_cast<std::uint32_t>(x), least_bits_, most_bits_);
-        const Cell& cell = cells_[(bits >> kShift) - first_cell_];
+        const auto cell = std::bit_cast<Cell>(cells_[(bits >> kShift) - first_cell_]);
         return cell.value + static_cast<float>(bits & kFractionBits) * cell.slope;
     }
 
@@ -47,7 +48,7 @@ class LuminanceTable {
     [[nodiscard]] double most_value() const noexcept { return most_value_; }
 
   private:
-    std::vector<Cell> cells_;
+    std::vector<std::int64_t> cells_;
     std::uint32_t first_cell_ = 0, least_bits_ = 0, most_bits_ = 0;
     double least_value_ = 0.0, most_value_ = 0.0;
 };

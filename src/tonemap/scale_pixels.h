@@ -15,9 +15,6 @@
 
 namespace emulsion {
 
-/// Components of a tone-mapped pixel stay within this, so that later stages don't overflow.
-inline constexpr double kMaxDisplayComponent = 0x1p100;
-
 /// One pixel in double precision. `exact_scale(luminance_cdm2)` is asked for good pixels only.
 template <class ExactScale>
 [[nodiscard]] XYZd scaled_pixel(const XYZ& pixel, const XYZd& display_white, const ExactScale& exact_scale) noexcept {
@@ -43,18 +40,21 @@ template <class ExactScale>
     return representable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// display = scale * scene, with bad pixels as tone_map() says. `scale_row(y, in, out, exact)` is one of scale_rows.h;
-/// its exact pixels are scaled by `exact_scale_at(x, y)`, which gives a function of Y in double precision.
+/// display = scale * scene, with bad pixels as tone_map() says. `scale_row_at(y, in, out, left)` is one of
+/// scale_rows.h; pixels that it leaves are scaled by `exact_scale_at(x, y)`, which gives a function of Y in double
+/// precision.
 template <class ScaleRow, class ExactScaleAt>
 void scale_pixels(ImageView<const XYZ> scene, ImageView<XYZ> display, const XYZ& display_white, int threads,
                   const ScaleRow& scale_row_at, const ExactScaleAt& exact_scale_at) {
     const XYZd white{display_white.x, display_white.y, display_white.z};
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
-        const ExactPixel exact = [&, y](std::size_t x, const XYZ& pixel) {
-            const XYZd scaled = scaled_pixel(pixel, white, exact_scale_at(x, y));
-            return XYZ{static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)};
-        };
-        scale_row_at(y, scene.row(y), display.row(y), exact);
+        LeftPixels left;
+        const std::span<XYZ> row = display.row(y);
+        scale_row_at(y, scene.row(y), row, left);
+        for (const std::size_t x : left) {
+            const XYZd scaled = scaled_pixel(row[x], white, exact_scale_at(x, y));
+            row[x] = {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)};
+        }
     });
 }
 

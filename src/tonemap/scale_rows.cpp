@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-
-#include "tonemap/scale_pixels.h"
+#include <cmath>
+#include <cstdint>
 
 // Compiled once for each instruction set; which of them runs is decided when the program runs.
 #undef HWY_TARGET_INCLUDE
@@ -11,157 +11,168 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "tonemap/pixel_vectors.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace emulsion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Floats = hn::ScalableTag<float>;
-using Vector = hn::Vec<Floats>;
 
-/// Rows are worked off in blocks: what one step leaves behind is still in the cache for the next.
-constexpr std::size_t kBlock = 256;
-using Block = std::array<float, kBlock + hn::MaxLanes(Floats())>;
+/// LuminanceTable for a vector of luminances; LuminanceTable::View says how.
+class VectorTable {
+  public:
+    explicit VectorTable(const LuminanceTable::View& table)
+        : cells_(table.cells),
+          first_cell_(hn::Set(hn::RebindToUnsigned<Floats>(), table.first_cell)),
+          least_bits_(hn::Set(hn::RebindToUnsigned<Floats>(), table.least_bits)),
+          most_bits_(hn::Set(hn::RebindToUnsigned<Floats>(), table.most_bits)) {}
 
-/// results[i] = table(keys[i]) for i < count; LuminanceTable::View says how.
-void look_up(const LuminanceTable::View& table, const float* keys, std::size_t count, float* results) {
-    const hn::RebindToUnsigned<Floats> unsigned_tag;
-    const hn::RebindToSigned<Floats> signed_tag;
-    const Floats tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    const auto bits_of = [&](std::size_t i) {
-        const auto bits = hn::BitCast(unsigned_tag, hn::LoadU(tag, keys + i));
-        return hn::Min(hn::Max(bits, hn::Set(unsigned_tag, table.least_bits)), hn::Set(unsigned_tag, table.most_bits));
-    };
-    std::array<std::uint32_t, kBlock + hn::MaxLanes(Floats())> cells{};
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const auto cell = hn::ShiftRight<LuminanceTable::kShift>(bits_of(i));
-        hn::StoreU(hn::Sub(cell, hn::Set(unsigned_tag, table.first_cell)), unsigned_tag, cells.data() + i);
-    }
-    std::array<LuminanceTable::Cell, kBlock + hn::MaxLanes(Floats())> found;
-    for (std::size_t i = 0; i < count; ++i) found[i] = table.cells[cells[i]];
-    for (std::size_t i = 0; i < count; i += lanes) {
-        Vector value, slope;
-        hn::LoadInterleaved2(tag, &found[i].value, value, slope);
-        const auto fraction_bits = hn::And(bits_of(i), hn::Set(unsigned_tag, LuminanceTable::kFractionBits));
+    [[nodiscard]] Vector operator()(Vector luminances) const {
+        const Floats tag;
+        const hn::RebindToUnsigned<Floats> unsigned_tag;
+        const hn::RebindToSigned<Floats> signed_tag;
+        const auto bits = hn::Min(hn::Max(hn::BitCast(unsigned_tag, luminances), least_bits_), most_bits_);
+        const auto cells = hn::BitCast(signed_tag, hn::Sub(hn::ShiftRight<LuminanceTable::kShift>(bits), first_cell_));
+        const auto lower = gather(hn::LowerHalf(cells));
+        const auto upper = gather(hn::UpperHalf(hn::Half<decltype(signed_tag)>(), cells));
+        const auto fraction_bits = hn::And(bits, hn::Set(unsigned_tag, LuminanceTable::kFractionBits));
         const auto fraction = hn::ConvertTo(tag, hn::BitCast(signed_tag, fraction_bits));
-        hn::StoreU(hn::Add(value, hn::Mul(fraction, slope)), tag, results + i);
+        // A cell is a value and a slope.
+        return hn::Add(hn::ConcatEven(tag, upper, lower), hn::Mul(fraction, hn::ConcatOdd(tag, upper, lower)));
     }
+
+  private:
+    using Bits = hn::Vec<hn::RebindToUnsigned<Floats>>;
+    using Cells = hn::Repartition<std::int64_t, Floats>;
+
+    template <class HalfOfCells>
+    [[nodiscard]] Vector gather(HalfOfCells cells) const {
+        return hn::BitCast(Floats(), hn::GatherIndex(Cells(), cells_, hn::PromoteTo(Cells(), cells)));
+    }
+
+    const std::int64_t* cells_;
+    Bits first_cell_, least_bits_, most_bits_;
+};
+
+/// One pixel: of those that do not fill a vector, or that have others to be left beside them.
+void scale_pixel(float scale, std::size_t x, const float* in, float* out, LeftPixels& left) {
+    constexpr auto kLimit = static_cast<float>(kMaxDisplayComponent);
+    const float* const pixel = in + 3 * x;
+    const std::array<float, 3> scaled = {scale * pixel[0], scale * pixel[1], scale * pixel[2]};
+    bool plain = pixel[1] >= 0.0f;
+    for (const float component : scaled) plain = plain && std::abs(component) <= kLimit;
+    if (!plain) left.push_back(x);
+    std::copy_n(plain ? scaled.data() : pixel, 3, out + 3 * x);
 }
 
-/// out = scale_of(x) * in, a vector of pixels from x on, `count` of which belong to the row.
+/// Vectors of pixels from x on, up to the first that has a pixel to be left, or that would be past the end. Returns
+/// where that one begins. No calls are in this loop, so that its constants stay in registers.
 template <class ScaleOf>
-void scale_vector(std::size_t x, const float* in, float* out, const ScaleOf& scale_of, std::size_t count,
-                  const ExactPixel& exact) {
+std::size_t scale_vectors(std::size_t x, std::size_t size, const float* in, float* out, const ScaleOf& scale_of) {
     const Floats tag;
-    Vector px, py, pz;
-    hn::LoadInterleaved3(tag, in, px, py, pz);
-    const auto scale = scale_of(x);
+    const std::size_t lanes = hn::Lanes(tag);
+    const PixelLanes pixel_lanes;
     const auto limit = hn::Set(tag, static_cast<float>(kMaxDisplayComponent));
     const auto within = [&](Vector v) { return hn::Le(hn::Abs(v), limit); };
-    const auto sx = hn::Mul(scale, px), sy = hn::Mul(scale, py), sz = hn::Mul(scale, pz);
-    const auto plain = hn::And(hn::And(hn::Ge(py, hn::Zero(tag)), within(sx)), hn::And(within(sy), within(sz)));
-    if (HWY_LIKELY(hn::AllTrue(tag, plain))) {
-        hn::StoreInterleaved3(sx, sy, sz, tag, out);
-        return;
+    for (; x + lanes <= size; x += lanes) {
+        const PixelVectors pixels(in + 3 * x);
+        const auto luminances = pixel_lanes.luminances(pixels);
+        const PixelVectors scales = pixel_lanes.repeated(scale_of(x, luminances));
+        const auto a = hn::Mul(pixels.a, scales.a), b = hn::Mul(pixels.b, scales.b), c = hn::Mul(pixels.c, scales.c);
+        const auto not_negative = hn::Ge(luminances, hn::Zero(tag));
+        if (!hn::AllTrue(tag, hn::And(hn::And(not_negative, within(a)), hn::And(within(b), within(c))))) break;
+        hn::StoreU(a, tag, out + 3 * x);
+        hn::StoreU(b, tag, out + 3 * x + lanes);
+        hn::StoreU(c, tag, out + 3 * x + 2 * lanes);
     }
-    constexpr std::size_t kMost = hn::MaxLanes(Floats());
-    std::array<float, 3 * kMost> before{};
-    std::array<std::uint8_t, (kMost + 7) / 8 + 8> is_plain{};
-    hn::StoreInterleaved3(px, py, pz, tag, before.data());
-    hn::StoreInterleaved3(sx, sy, sz, tag, out);
-    hn::StoreMaskBits(tag, plain, is_plain.data());
-    for (std::size_t i = 0; i < count; ++i) {
-        if ((is_plain[i / 8] >> (i % 8) & 1) != 0) continue;
-        const XYZ replaced = exact(x + i, {before[3 * i], before[3 * i + 1], before[3 * i + 2]});
-        out[3 * i] = replaced.x;
-        out[3 * i + 1] = replaced.y;
-        out[3 * i + 2] = replaced.z;
-    }
+    return x;
 }
 
-/// Fewer pixels than a vector has lanes.
+/// out = scale_of(x, Y) * in. `scale_of` takes vectors, and floats.
 template <class ScaleOf>
-void scale_rest(std::size_t x, const float* in, float* out, std::size_t count, const ScaleOf& scale_of,
-                const ExactPixel& exact) {
-    std::array<float, 3 * hn::MaxLanes(Floats())> rest{};
-    std::copy(in, in + 3 * count, rest.begin());
-    scale_vector(x, rest.data(), rest.data(), scale_of, count, exact);
-    std::copy(rest.data(), rest.data() + 3 * count, out);
-}
-
-/// `scale_of(x)` gives the scales of the pixels from x on, of which there are `end` in the row.
-template <class ScaleOf>
-void scale_pixels_between(std::size_t begin, std::size_t end, const float* in, float* out, const ScaleOf& scale_of,
-                          const ExactPixel& exact) {
-    const std::size_t lanes = hn::Lanes(Floats());
-    std::size_t x = begin;
-    for (; x + lanes <= end; x += lanes) scale_vector(x, in + 3 * x, out + 3 * x, scale_of, lanes, exact);
-    if (x < end) scale_rest(x, in + 3 * x, out + 3 * x, end - x, scale_of, exact);
-}
-
-/// Y of `count` pixels.
-void take_luminances(const float* in, std::size_t count, float* luminances) {
-    const Floats tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        Vector x, y, z;
-        hn::LoadInterleaved3(tag, in + 3 * i, x, y, z);
-        hn::StoreU(y, tag, luminances + i);
-    }
-    for (; i < count; ++i) luminances[i] = in[3 * i + 1];
-}
-
-/// Block by block: `find_scales(x, count, scales)` fills in those of `count` pixels from x on.
-template <class FindScales>
-void scale_blocks(const float* in, float* out, std::size_t size, const FindScales& find_scales,
-                  const ExactPixel& exact) {
-    Block scales{};
-    for (std::size_t begin = 0; begin < size; begin += kBlock) {
-        const std::size_t end = std::min(begin + kBlock, size);
-        find_scales(begin, end - begin, scales.data());
-        const auto scale_of = [&](std::size_t x) { return hn::LoadU(Floats(), scales.data() + (x - begin)); };
-        scale_pixels_between(begin, end, in, out, scale_of, exact);
+void scale_all(std::span<const XYZ> row, std::span<XYZ> scaled_row, const ScaleOf& scale_of, LeftPixels& left) {
+    static_assert(sizeof(XYZ) == 3 * sizeof(float));
+    const float* const in = &row.data()->x;
+    float* const out = &scaled_row.data()->x;
+    for (std::size_t x = 0; x < row.size();) {
+        x = scale_vectors(x, row.size(), in, out, scale_of);
+        const std::size_t end = std::min(x + hn::Lanes(Floats()), row.size());
+        for (; x < end; ++x) scale_pixel(scale_of(x, row[x].y), x, in, out, left);
     }
 }
 
-void by_constant(float scale, const float* in, float* out, std::size_t size, const ExactPixel& exact) {
-    const Vector scales = hn::Set(Floats(), scale);
-    scale_pixels_between(
-        0, size, in, out, [&](std::size_t) { return scales; }, exact);
+/// The scale is the same for all, a function of Y, of the adaptation, or of both.
+class ByConstant {
+  public:
+    explicit ByConstant(float scale) : scale_(scale), scales_(hn::Set(Floats(), scale)) {}
+    [[nodiscard]] Vector operator()(std::size_t, Vector) const { return scales_; }
+    [[nodiscard]] float operator()(std::size_t, float) const { return scale_; }
+
+  private:
+    float scale_;
+    Vector scales_;
+};
+
+class ByLuminance {
+  public:
+    explicit ByLuminance(const LuminanceTable& table) : table_(&table), vector_table_(table.view()) {}
+    [[nodiscard]] Vector operator()(std::size_t, Vector luminances) const { return vector_table_(luminances); }
+    [[nodiscard]] float operator()(std::size_t, float luminance) const { return (*table_)(luminance); }
+
+  private:
+    const LuminanceTable* table_;
+    VectorTable vector_table_;
+};
+
+class ByAdaptation {
+  public:
+    ByAdaptation(const LuminanceTable& table, const float* adaptation)
+        : table_(&table), vector_table_(table.view()), adaptation_(adaptation) {}
+    [[nodiscard]] Vector operator()(std::size_t x, Vector) const {
+        return vector_table_(hn::LoadU(Floats(), adaptation_ + x));
+    }
+    [[nodiscard]] float operator()(std::size_t x, float) const { return (*table_)(adaptation_[x]); }
+
+  private:
+    const LuminanceTable* table_;
+    VectorTable vector_table_;
+    const float* adaptation_;
+};
+
+class ByBoth {
+  public:
+    ByBoth(const LuminanceTable& exposures, const LuminanceTable& compressions, const float* adaptation)
+        : exposures_(exposures, adaptation), compressions_(compressions) {}
+    [[nodiscard]] Vector operator()(std::size_t x, Vector luminances) const {
+        const auto exposure = exposures_(x, luminances);
+        return hn::Mul(exposure, compressions_(x, hn::Mul(exposure, luminances)));
+    }
+    [[nodiscard]] float operator()(std::size_t x, float luminance) const {
+        const float exposure = exposures_(x, luminance);
+        return exposure * compressions_(x, exposure * luminance);
+    }
+
+  private:
+    ByAdaptation exposures_;
+    ByLuminance compressions_;
+};
+
+void by_constant(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    scale_all(in, out, ByConstant(scale), left);
 }
 
-void by_luminance(const LuminanceTable& table, const float* in, float* out, std::size_t size, const ExactPixel& exact) {
-    Block luminances{};
-    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
-        take_luminances(in + 3 * x, count, luminances.data());
-        look_up(table.view(), luminances.data(), count, scales);
-    };
-    scale_blocks(in, out, size, find_scales, exact);
+void by_luminance(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    scale_all(in, out, ByLuminance(table), left);
 }
 
-void by_adaptation(const LuminanceTable& table, std::span<const float> adaptation, const float* in, float* out,
-                   const ExactPixel& exact) {
-    Block keys{};
-    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
-        std::copy_n(adaptation.data() + x, count, keys.data());
-        look_up(table.view(), keys.data(), count, scales);
-    };
-    scale_blocks(in, out, adaptation.size(), find_scales, exact);
+void by_adaptation(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
+                   std::span<XYZ> out, LeftPixels& left) {
+    scale_all(in, out, ByAdaptation(table, adaptation.data()), left);
 }
 
 void by_both(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-             const float* in, float* out, const ExactPixel& exact) {
-    Block keys{}, found{};
-    const auto find_scales = [&](std::size_t x, std::size_t count, float* scales) {
-        std::copy_n(adaptation.data() + x, count, keys.data());
-        look_up(exposures.view(), keys.data(), count, found.data());
-        take_luminances(in + 3 * x, count, keys.data());
-        for (std::size_t i = 0; i < count; ++i) keys[i] *= found[i];
-        look_up(compressions.view(), keys.data(), count, scales);
-        for (std::size_t i = 0; i < count; ++i) scales[i] *= found[i];
-    };
-    scale_blocks(in, out, adaptation.size(), find_scales, exact);
+             std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    scale_all(in, out, ByBoth(exposures, compressions, adaptation.data()), left);
 }
 
 }  // namespace emulsion::HWY_NAMESPACE
@@ -177,28 +188,24 @@ HWY_EXPORT(by_luminance);
 HWY_EXPORT(by_adaptation);
 HWY_EXPORT(by_both);
 
-static_assert(sizeof(XYZ) == 3 * sizeof(float));
-const float* floats_of(std::span<const XYZ> row) noexcept { return &row.data()->x; }
-float* floats_of(std::span<XYZ> row) noexcept { return &row.data()->x; }
-
 }  // namespace
 
-void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact) {
-    HWY_DYNAMIC_DISPATCH(by_constant)(scale, floats_of(in), floats_of(out), in.size(), exact);
+void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_constant)(scale, in, out, left);
 }
 
-void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact) {
-    HWY_DYNAMIC_DISPATCH(by_luminance)(table, floats_of(in), floats_of(out), in.size(), exact);
+void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_luminance)(table, in, out, left);
 }
 
 void scale_row(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
-               std::span<XYZ> out, const ExactPixel& exact) {
-    HWY_DYNAMIC_DISPATCH(by_adaptation)(table, adaptation, floats_of(in), floats_of(out), exact);
+               std::span<XYZ> out, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_adaptation)(table, adaptation, in, out, left);
 }
 
 void scale_row(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-               std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact) {
-    HWY_DYNAMIC_DISPATCH(by_both)(exposures, compressions, adaptation, floats_of(in), floats_of(out), exact);
+               std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_both)(exposures, compressions, adaptation, in, out, left);
 }
 
 }  // namespace emulsion

@@ -3,30 +3,34 @@
 // has. The same bits for every width.
 
 #include <cstddef>
-#include <functional>
 #include <span>
+#include <vector>
 
 #include "core/color.h"
 #include "tonemap/luminance_table.h"
 
 namespace emulsion {
 
-/// What a pixel becomes that is bad, or for which single precision does not reach: see scale_pixels().
-using ExactPixel = std::function<XYZ(std::size_t x, const XYZ& pixel)>;
+/// x of the pixels of a row that these loops leave as they are: where Y < 0, or a component of the product would be NaN
+/// or past kMaxDisplayComponent.
+using LeftPixels = std::vector<std::size_t>;
 
-/// out[x] = scale * in[x] where Y >= 0 and no component of the product is past 2^100, and exact(x, in[x]) where not.
+/// Components of a tone-mapped pixel stay within this, so that later stages don't overflow.
+inline constexpr double kMaxDisplayComponent = 0x1p100;
+
+/// out[x] = scale * in[x], or in[x] where that cannot be: those x are appended to `left`, in rising order.
 /// `out` has the size of `in`, and may be the same pixels.
-void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact);
+void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
 
 /// The same with scale = table(Y).
-void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact);
+void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
 
 /// The same with scale = table(adaptation[x]).
 void scale_row(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
-               std::span<XYZ> out, const ExactPixel& exact);
+               std::span<XYZ> out, LeftPixels& left);
 
 /// The same with scale = e * compressions(e * Y), e = exposures(adaptation[x]).
 void scale_row(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-               std::span<const XYZ> in, std::span<XYZ> out, const ExactPixel& exact);
+               std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
 
 }  // namespace emulsion

@@ -17,16 +17,12 @@ void reproduce_globally(const ToneReproduction& reproduction, const LuminanceSta
     const auto exact_at = [&](std::size_t, int) { return exact_scale; };
     if (!reproduction.compression) {
         const float constant = narrow_or_nan(reproduction.exposure(adaptation_cdm2));
-        const auto scale_row_at = [=](int, auto in, auto out, const ExactPixel& exact) {
-            scale_row(constant, in, out, exact);
-        };
+        const auto scale_row_at = [=](int, auto in, auto out, LeftPixels& left) { scale_row(constant, in, out, left); };
         scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
     const LuminanceTable table(exact_scale, statistics.min_positive_cdm2, statistics.max_cdm2);
-    const auto scale_row_at = [&](int, auto in, auto out, const ExactPixel& exact) {
-        scale_row(table, in, out, exact);
-    };
+    const auto scale_row_at = [&](int, auto in, auto out, LeftPixels& left) { scale_row(table, in, out, left); };
     scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
 
@@ -45,16 +41,16 @@ void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStat
     };
     const LuminanceTable exposures(exposure_of, least, most);
     if (!reproduction.compression) {
-        const auto scale_row_at = [&](int y, auto in, auto out, const ExactPixel& exact) {
-            scale_row(exposures, local.row(y), in, out, exact);
+        const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
+            scale_row(exposures, local.row(y), in, out, left);
         };
         scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
     const LuminanceTable compressions(reproduction.compression, exposures.least_value() * statistics.min_positive_cdm2,
                                       exposures.most_value() * statistics.max_cdm2);
-    const auto scale_row_at = [&](int y, auto in, auto out, const ExactPixel& exact) {
-        scale_row(exposures, compressions, local.row(y), in, out, exact);
+    const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
+        scale_row(exposures, compressions, local.row(y), in, out, left);
     };
     scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
