@@ -10,16 +10,27 @@ namespace emulsion {
 /// Rows in a block of about 8192 pixels: depends on the width alone, never on the number of threads.
 [[nodiscard]] constexpr int rows_per_block(int width) noexcept { return std::max(1, 8192 / std::max(1, width)); }
 
+/// The rows of a picture, shared out.
+class RowBlocks {
+  public:
+    RowBlocks(int width, int height) noexcept
+        : height_(height), rows_(rows_per_block(width)), count_(height / rows_ + (height % rows_ != 0 ? 1 : 0)) {}
+
+    [[nodiscard]] int count() const noexcept { return count_; }
+    /// Of `block` in [0, count()]; the height for the last of these.
+    [[nodiscard]] int first_row(int block) const noexcept { return block == count_ ? height_ : block * rows_; }
+
+  private:
+    int height_, rows_, count_;
+};
+
 /// Calls body(y) once for every y in [0, height), rows of one block in order on one thread; threads as in parallel_for.
 /// \throws std::invalid_argument if threads < 0.
 template <class Body>
 void parallel_for_rows(int width, int height, int threads, const Body& body) {
-    const int block_height = rows_per_block(width);
-    const int blocks = height / block_height + (height % block_height != 0 ? 1 : 0);
-    parallel_for(0, blocks, threads, [&](int block) {
-        const int begin = block * block_height;
-        const int end = begin + std::min(block_height, height - begin);
-        for (int y = begin; y < end; ++y) body(y);
+    const RowBlocks blocks(width, height);
+    parallel_for(0, blocks.count(), threads, [&](int block) {
+        for (int y = blocks.first_row(block); y < blocks.first_row(block + 1); ++y) body(y);
     });
 }
 

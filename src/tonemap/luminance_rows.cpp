@@ -71,7 +71,15 @@ class LogSum {
     int count_ = 0;
 };
 
-void add_pixel(const XYZ& pixel, std::size_t x, RowStatistics& row) noexcept {
+/// What pixels are added to.
+struct RowSums {
+    RowStatistics& statistics;
+    const CountedGroups& counted;
+    LuminanceHistogram& histogram;
+};
+
+void add_pixel(const XYZ& pixel, std::size_t x, const RowSums& sums) noexcept {
+    RowStatistics& row = sums.statistics;
     const PixelClass pixel_class = classify(pixel);
     row.counts.add(pixel_class);
     if (pixel_class == PixelClass::zero) return;
@@ -82,6 +90,16 @@ void add_pixel(const XYZ& pixel, std::size_t x, RowStatistics& row) noexcept {
     row.log_sum += std::log(double{pixel.y});
     row.min_positive = std::min(row.min_positive, pixel.y);
     row.max = std::max(row.max, pixel.y);
+    if (sums.counted.has(x)) sums.histogram.add(pixel.y);
+}
+
+/// In whatever order the lanes are.
+void count_lanes(Vector luminances, bool some_are_zero, LuminanceHistogram& histogram) noexcept {
+    std::array<float, hn::MaxLanes(Floats())> values{};
+    hn::StoreU(luminances, Floats(), values.data());
+    for (std::size_t i = 0; i < hn::Lanes(Floats()); ++i) {
+        if (!some_are_zero || values[i] > 0.0f) histogram.add(values[i]);
+    }
 }
 
 /// Statistics of whole vectors of pixels whose luminances are 0 or normal numbers, and whose components are finite.
@@ -90,8 +108,9 @@ class VectorStatistics {
     VectorStatistics() : min_(hn::Set(Floats(), std::numeric_limits<float>::infinity())), max_(hn::Zero(Floats())) {}
 
     /// The vectors from pixel x on, up to the first that has another pixel, or that would be past the end. Returns
-    /// where that one begins. No calls but a seldom one are in this loop, so that its constants stay in registers.
-    std::size_t add(std::size_t x, std::span<const XYZ> row) {
+    /// where that one begins.
+    std::size_t add(std::size_t x, std::span<const XYZ> row, const RowSums& sums) {
+        static_assert(CountedGroups::kPixels % hn::MaxLanes(Floats()) == 0);
         const Floats tag;
         const std::size_t lanes = hn::Lanes(tag);
         const PixelLanes pixel_lanes;
@@ -105,7 +124,9 @@ class VectorStatistics {
             const auto is_zero = hn::Eq(luminances, hn::Zero(tag));
             const auto finite = hn::And(is_finite(pixels.a), hn::And(is_finite(pixels.b), is_finite(pixels.c)));
             if (!hn::AllTrue(tag, hn::And(hn::Or(is_normal, is_zero), finite))) break;
-            zeros_ += static_cast<std::int64_t>(hn::CountTrue(tag, is_zero));
+            const auto zeros = static_cast<std::int64_t>(hn::CountTrue(tag, is_zero));
+            if (sums.counted.has(x)) count_lanes(luminances, zeros > 0, sums.histogram);
+            zeros_ += zeros;
             max_ = hn::Max(max_, luminances);
             min_ = hn::Min(min_, hn::IfThenElse(is_zero, min_, luminances));
             log_sum_.add(hn::IfThenElse(is_zero, hn::Set(tag, 1.0f), luminances));
@@ -128,13 +149,14 @@ class VectorStatistics {
     LogSum log_sum_;
 };
 
-RowStatistics gather(std::span<const XYZ> row) {
+RowStatistics gather(std::span<const XYZ> row, const CountedGroups& counted, LuminanceHistogram& histogram) {
     RowStatistics statistics;
+    const RowSums sums{statistics, counted, histogram};
     VectorStatistics of_vectors;
     for (std::size_t x = 0; x < row.size();) {
-        x = of_vectors.add(x, row);
+        x = of_vectors.add(x, row, sums);
         const std::size_t end = std::min(x + hn::Lanes(Floats()), row.size());
-        for (; x < end; ++x) add_pixel(row[x], x, statistics);
+        for (; x < end; ++x) add_pixel(row[x], x, sums);
     }
     of_vectors.add_to(statistics);
     return statistics;
@@ -150,7 +172,10 @@ namespace {
 HWY_EXPORT(gather);
 }
 
-RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept { return HWY_DYNAMIC_DISPATCH(gather)(row); }
+RowStatistics statistics_of_row(std::span<const XYZ> row, const CountedGroups& counted,
+                                LuminanceHistogram& histogram) noexcept {
+    return HWY_DYNAMIC_DISPATCH(gather)(row, counted, histogram);
+}
 
 }  // namespace emulsion
 #endif

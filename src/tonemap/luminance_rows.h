@@ -1,10 +1,12 @@
 #pragma once
 // The inner loop of the luminance statistics: one row of pixels.
 
+#include <cstddef>
 #include <limits>
 #include <span>
 
 #include "core/color.h"
+#include "tonemap/luminance_histogram.h"
 #include "tonemap/pixel_class.h"
 
 namespace emulsion {
@@ -18,8 +20,18 @@ struct RowStatistics {
     int first_bad_x = -1;  ///< -1: none
 };
 
+/// The groups of pixels of a row whose luminances go into a histogram: of every `step` the first after `first` others.
+struct CountedGroups {
+    static constexpr std::size_t kPixels = 16;  ///< of a group; the last one of a row may have fewer
+    std::size_t first = 0, step = 1;
+
+    [[nodiscard]] bool has(std::size_t x) const noexcept { return x / kPixels % step == first; }
+};
+
 /// In vectors as wide as the processor has. Exponents are added and significands multiplied, ln being taken of products
-/// of up to 960 of them: the log sum is within 1e-14 of the sum of its terms' magnitudes.
-[[nodiscard]] RowStatistics statistics_of_row(std::span<const XYZ> row) noexcept;
+/// of up to 960 of them: the log sum is within 1e-14 of the sum of its terms' magnitudes. The positive luminances of
+/// the groups that count are added to `histogram`.
+[[nodiscard]] RowStatistics statistics_of_row(std::span<const XYZ> row, const CountedGroups& counted,
+                                              LuminanceHistogram& histogram) noexcept;
 
 }  // namespace emulsion

@@ -1,6 +1,8 @@
 #include "tonemap/luminance_statistics.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -35,12 +37,38 @@ LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noex
     return statistics;
 }
 
+CountedGroups counted_groups(ImageView<const XYZ> scene, int y) noexcept {
+    constexpr std::size_t kMostPixelsOfAll = std::size_t{1} << 18u;
+    constexpr std::array<std::size_t, 4> kFirst = {0, 2, 1, 3};
+    if (scene.pixels().size() <= kMostPixelsOfAll) return {};
+    return {kFirst[static_cast<std::size_t>(y) % kFirst.size()], kFirst.size()};
+}
+
 }  // namespace
 
 LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads) {
+    LuminanceHistogram histogram;
+    return luminance_statistics(scene, threads, histogram);
+}
+
+LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads, LuminanceHistogram& histogram) {
     std::vector<RowStatistics> rows(static_cast<std::size_t>(scene.height()));
-    parallel_for_rows(scene.width(), scene.height(), threads,
-                      [&](int y) { rows[static_cast<std::size_t>(y)] = statistics_of_row(scene.row(y)); });
+    const RowBlocks blocks(scene.width(), scene.height());
+    // A worker has a histogram of its own, and takes blocks until there are none: counts add up to the same whoever
+    // counted them.
+    const int workers =
+        std::min(threads == 0 ? hardware_threads() : std::min(threads, hardware_threads()), blocks.count());
+    std::vector<LuminanceHistogram> histograms(static_cast<std::size_t>(std::max(workers, 1)));
+    std::atomic<int> next_block = 0;
+    parallel_for(0, workers, threads, [&](int worker) {
+        for (int block = next_block++; block < blocks.count(); block = next_block++) {
+            for (int y = blocks.first_row(block); y < blocks.first_row(block + 1); ++y) {
+                rows[static_cast<std::size_t>(y)] = statistics_of_row(scene.row(y), counted_groups(scene, y),
+                                                                      histograms[static_cast<std::size_t>(worker)]);
+            }
+        }
+    });
+    for (const LuminanceHistogram& counted : histograms) histogram += counted;
     return statistics_of_rows(rows);
 }
 
