@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +12,19 @@
 
 namespace emulsion {
 
-/// The alternative whose number is the benchmark's argument; its name becomes the label.
+/// The numbers of those that are wanted.
+template <NamedVariant Variant, class IsWanted>
+std::vector<std::int64_t> numbers_of(const IsWanted& is_wanted) {
+    std::vector<std::int64_t> numbers;
+    std::int64_t number = 0;
+    for_each_alternative<Variant>([&](const auto& alternative) {
+        if (is_wanted(Variant{alternative})) numbers.push_back(number);
+        ++number;
+    });
+    return numbers;
+}
+
+/// The alternative whose number is the benchmark's first argument; its name becomes the label.
 template <NamedVariant Variant>
 Variant alternative_of_range(benchmark::State& state) {
     Variant found;

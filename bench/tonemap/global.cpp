@@ -1,72 +1,27 @@
-// Tone mapping of 1 megapixel beside a memory copy of the same picture, on one thread and on all: the operators that
-// adapt to the picture as a whole (local.cpp has the others). Each is verified against its double-precision twin before
-// it is timed; ratios are for one run on one machine.
+// Tone mapping of 1, 8 and 33 megapixels beside a memory copy of the same picture, on one thread and on all: the
+// operators that adapt to the picture as a whole (local.cpp has the others). Each is verified against its
+// double-precision twin before it is timed; ratios are for one run on one machine.
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "core/named_value.h"
-#include "core/random.h"
-#include "core/row_blocks.h"
+#include "support/alternatives.h"
+#include "support/tone_scene.h"
 #include "tonemap/tone_mapper.h"
 
 namespace emulsion {
 namespace {
 
-constexpr XYZ kWhite{0.95f, 1.0f, 1.09f};
-
-/// 1024 x 1024 pixels over six decades of luminance.
-const Image<XYZ>& scene() {
-    static const Image<XYZ> picture = [] {
-        Pcg32 random(1);
-        Image<XYZ> image(1024, 1024);
-        for (XYZ& p : image.pixels()) {
-            const float luminance = std::pow(10.0f, 6.0f * random.next_float() - 3.0f);
-            p = {luminance * 2.0f * random.next_float(), luminance, luminance * 2.0f * random.next_float()};
-        }
-        return image;
-    }();
-    return picture;
-}
-
-void count_pixels(benchmark::State& state) {
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().pixels().size()));
-}
-
-/// The numbers of these operators in the variant.
-const std::vector<std::int64_t> kOperators = [] {
-    std::vector<std::int64_t> numbers;
-    std::int64_t number = 0;
-    for_each_alternative<ToneMapper>([&](const auto& mapper) {
-        if (!is_local(own_adaptation(mapper))) numbers.push_back(number);
-        ++number;
-    });
-    return numbers;
-}();
-
-/// The operator whose number is the benchmark's first argument; its name becomes the label.
-ToneMapper alternative_of_range(benchmark::State& state) {
-    ToneMapper found;
-    std::int64_t number = 0;
-    for_each_alternative<ToneMapper>([&](const auto& mapper) {
-        if (number++ != state.range(0)) return;
-        found = mapper;
-        state.SetLabel(std::string(mapper.kName));
-    });
-    return found;
-}
-
 /// Empty if the fast path keeps to its tolerance.
 std::string disagreement(const ToneMapper& mapper) {
-    const Image<XYZ> fast = tone_map({mapper}, scene().view(), kWhite, 0).image;
-    const Image<XYZd> exact = tone_map_reference({mapper}, scene().view(), {kWhite.x, kWhite.y, kWhite.z});
+    const Image<XYZ>& scene = scene_of(1);
+    const Image<XYZ> fast = tone_map({mapper}, scene.view(), kDisplayWhite, 0).image;
+    const XYZd white{kDisplayWhite.x, kDisplayWhite.y, kDisplayWhite.z};
+    const Image<XYZd> exact = tone_map_reference({mapper}, scene.view(), white);
     for (std::size_t i = 0; i < fast.pixels().size(); ++i) {
         const double difference = std::abs(fast.pixels()[i].y - exact.pixels()[i].y);
         if (!(difference <= 2e-4 * exact.pixels()[i].y)) return "pixel " + std::to_string(i) + " is off its twin";
@@ -74,55 +29,56 @@ std::string disagreement(const ToneMapper& mapper) {
     return {};
 }
 
-void memory_copy(benchmark::State& state) {
-    Image<XYZ> copy(scene().width(), scene().height());
-    for (auto _ : state) {
-        parallel_for_rows(copy.width(), copy.height(), static_cast<int>(state.range(0)), [&](int y) {
-            const std::span<const XYZ> row = scene().row(y);
-            std::memcpy(copy.row(y).data(), row.data(), row.size_bytes());
-        });
-        benchmark::ClobberMemory();
-    }
-    count_pixels(state);
-}
-
 void statistics(benchmark::State& state) {
+    const Image<XYZ>& scene = scene_of(state.range(0));
     for (auto _ : state) {
-        benchmark::DoNotOptimize(luminance_statistics(scene().view(), static_cast<int>(state.range(0))));
+        benchmark::DoNotOptimize(luminance_statistics(scene.view(), static_cast<int>(state.range(1))));
     }
-    count_pixels(state);
+    count_pixels(state, scene);
 }
 
 void statistics_twin(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(luminance_statistics_reference(scene().view()));
-    count_pixels(state);
+    for (auto _ : state) benchmark::DoNotOptimize(luminance_statistics_reference(scene_of(1).view()));
+    count_pixels(state, scene_of(1));
 }
 
 void tone_map_fast(benchmark::State& state) {
-    const auto mapper = alternative_of_range(state);
+    const auto mapper = alternative_of_range<ToneMapper>(state);
     if (const std::string reason = disagreement(mapper); !reason.empty()) return state.SkipWithError(reason.c_str());
-    Image<XYZ> display(scene().width(), scene().height());
+    const Image<XYZ>& scene = scene_of(state.range(1));
+    Image<XYZ> display(scene.width(), scene.height());
     for (auto _ : state) {
-        tone_map_into({mapper}, scene().view(), display.view(), kWhite, static_cast<int>(state.range(1)));
+        tone_map_into({mapper}, scene.view(), display.view(), kDisplayWhite, static_cast<int>(state.range(2)));
         benchmark::ClobberMemory();
     }
-    count_pixels(state);
+    count_pixels(state, scene);
 }
 
 void tone_map_twin(benchmark::State& state) {
-    const auto mapper = alternative_of_range(state);
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(tone_map_reference({mapper}, scene().view(), {kWhite.x, kWhite.y, kWhite.z}));
-    }
-    count_pixels(state);
+    const auto mapper = alternative_of_range<ToneMapper>(state);
+    const XYZd white{kDisplayWhite.x, kDisplayWhite.y, kDisplayWhite.z};
+    for (auto _ : state) benchmark::DoNotOptimize(tone_map_reference({mapper}, scene_of(1).view(), white));
+    count_pixels(state, scene_of(1));
 }
 
-BENCHMARK(memory_copy)->ArgName("threads")->Arg(1)->Arg(0)->UseRealTime()->Unit(benchmark::kMicrosecond);
-BENCHMARK(statistics)->ArgName("threads")->Arg(1)->Arg(0)->UseRealTime()->Unit(benchmark::kMicrosecond);
+const std::vector<std::int64_t> kSizes = {1, 8, 33};
+const std::vector<std::int64_t> kOperators =
+    numbers_of<ToneMapper>([](const ToneMapper& mapper) { return !is_local(own_adaptation(mapper)); });
+
+BENCHMARK(memory_copy)
+    ->ArgNames({"megapixels", "threads"})
+    ->ArgsProduct({kSizes, {1, 0}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(statistics)
+    ->ArgNames({"megapixels", "threads"})
+    ->ArgsProduct({kSizes, {1, 0}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(statistics_twin)->Unit(benchmark::kMicrosecond);
 BENCHMARK(tone_map_fast)
-    ->ArgNames({"operator", "threads"})
-    ->ArgsProduct({kOperators, {1, 0}})
+    ->ArgNames({"operator", "megapixels", "threads"})
+    ->ArgsProduct({kOperators, kSizes, {1, 0}})
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK(tone_map_twin)->ArgName("operator")->ArgsProduct({kOperators})->Unit(benchmark::kMicrosecond);

@@ -18,8 +18,8 @@ class LuminanceTable {
   public:
     LuminanceTable() = default;  ///< of no function; not to be asked
 
-    /// 0 <= min <= max < 2^128.
-    LuminanceTable(const std::function<double(double)>& function, double min, double max);
+    /// 0 <= min <= max < 2^128. The function is called on several threads at once; nothing depends on how many.
+    LuminanceTable(const std::function<double(double)>& function, double min, double max, int threads);
 
     static constexpr int kShift = 23 - 6;  ///< 6 bits of a float's significand tell its cell
     static constexpr std::uint32_t kFractionBits = (std::uint32_t{1} << kShift) - 1;  ///< the others: where in the cell

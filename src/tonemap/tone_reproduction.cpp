@@ -21,7 +21,7 @@ void reproduce_globally(const ToneReproduction& reproduction, const LuminanceSta
         scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
-    const LuminanceTable table(exact_scale, statistics.min_positive_cdm2, statistics.max_cdm2);
+    const LuminanceTable table(exact_scale, statistics.min_positive_cdm2, statistics.max_cdm2, threads);
     const auto scale_row_at = [&](int, auto in, auto out, LeftPixels& left) { scale_row(table, in, out, left); };
     scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
@@ -39,7 +39,7 @@ void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStat
             return reproduction.scale(luminance, adaptation_cdm2);
         };
     };
-    const LuminanceTable exposures(exposure_of, least, most);
+    const LuminanceTable exposures(exposure_of, least, most, threads);
     if (!reproduction.compression) {
         const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
             scale_row(exposures, local.row(y), in, out, left);
@@ -48,7 +48,7 @@ void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStat
         return;
     }
     const LuminanceTable compressions(reproduction.compression, exposures.least_value() * statistics.min_positive_cdm2,
-                                      exposures.most_value() * statistics.max_cdm2);
+                                      exposures.most_value() * statistics.max_cdm2, threads);
     const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
         scale_row(exposures, compressions, local.row(y), in, out, left);
     };
