@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <utility>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 namespace emulsion::cli {
 
 struct DevelopCommand::Options {
-    std::filesystem::path exr, png, contact_sheet, curve;
+    std::filesystem::path exr, png, contact_sheet, exposures, curve;
     int threads = 0;
     bool quiet = false, list_tonemaps = false, list_adaptations = false;
     Pipeline pipeline;
@@ -34,6 +35,12 @@ DevelopCommand::DevelopCommand(CLI::App& program)
         ->check(ends_in_png)
         ->option_text("FILE");
     command_
+        ->add_option("--exposures", options.exposures,
+                     "PNG strip of three exposures, with ten times the white of --tonemap fixed, with it, and with a "
+                     "tenth of it; under another operator, around a tenth of the picture's bright end")
+        ->check(ends_in_png)
+        ->option_text("FILE");
+    command_
         ->add_option("--curve", options.curve,
                      "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
         ->option_text("FILE");
@@ -46,12 +53,14 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     command_->final_callback([&options] {
         if (options.list_tonemaps || options.list_adaptations) return;
         if (options.exr.empty()) throw CLI::ValidationError("EXR", "found none, expected a file");
-        if (options.png.empty() && options.contact_sheet.empty() && options.curve.empty()) {
-            throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet or --curve");
+        if (options.png.empty() && options.contact_sheet.empty() && options.exposures.empty() &&
+            options.curve.empty()) {
+            throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet, --exposures or --curve");
         }
         require_distinct({{"EXR", options.exr},
                           {"--output", options.png},
                           {"--contact-sheet", options.contact_sheet},
+                          {"--exposures", options.exposures},
                           {"--curve", options.curve}});
     });
 }
@@ -67,7 +76,7 @@ int DevelopCommand::run() const {
         if (options.list_adaptations) print_output(adaptation_list());
         return kDone;
     }
-    for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
+    for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty()) check_writable(file);
     }
     FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
@@ -77,8 +86,15 @@ int DevelopCommand::run() const {
     if (!options.contact_sheet.empty()) {
         write_contact_sheet(options.contact_sheet, picture.xyz, options.pipeline, options.threads);
     }
+    if (!options.exposures.empty()) {
+        write_exposures(options.exposures, picture.xyz, options.pipeline, options.threads);
+    }
+    if (std::holds_alternative<ZoneSystem>(options.pipeline.tone_mapper) && !options.quiet) {
+        const SceneLuminance luminance(picture.xyz.view(), options.threads);
+        print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
+    }
     if (!options.png.empty()) develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png);
-    for (const auto& file : {options.png, options.contact_sheet, options.curve}) {
+    for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
     }
     return kDone;

@@ -14,6 +14,8 @@
 #include "cli/samples_text.h"
 #include "core/named_value.h"
 #include "film/exr_layers.h"
+#include "tonemap/scene_luminance.h"
+#include "tonemap/zone.h"
 
 namespace emulsion::cli {
 
@@ -123,11 +125,12 @@ void report_channels(const FilmInfo& info, InfoReport& report) {
     report.member("parts", json_list(parts));
 }
 
-void report_luminance(const LuminanceStatistics& luminance, InfoReport& report) {
+void report_luminance(const LuminanceStatistics& luminance, double zones, InfoReport& report) {
     const PixelCounts& counts = luminance.counts;
     if (counts.positive > 0) {
         report.line("luminance",
                     fmt::format("{:.6g} to {:.6g} cd/m^2", luminance.min_positive_cdm2, luminance.max_cdm2));
+        report.line("dynamic range", fmt::format("{:.1f} zones", zones));
         report.line("log-average", fmt::format("{:.6g} cd/m^2", luminance.log_average_cdm2));
     } else {
         report.line("luminance", "no pixel has any");
@@ -142,6 +145,7 @@ void report_luminance(const LuminanceStatistics& luminance, InfoReport& report) 
     report.member("luminance", json_object({{"min_positive_cdm2", json_number(luminance.min_positive_cdm2)},
                                             {"max_cdm2", json_number(luminance.max_cdm2)},
                                             {"log_average_cdm2", json_number(luminance.log_average_cdm2)},
+                                            {"dynamic_range_zones", json_number(zones)},
                                             {"positive_pixels", std::to_string(counts.positive)},
                                             {"zero_pixels", std::to_string(counts.zero)},
                                             {"negative_pixels", std::to_string(counts.negative)},
@@ -265,7 +269,9 @@ FilmInfo read_film_info(const std::filesystem::path& path, int threads) {
     }
     if (info.exr.kind == ExrKind::film_state) info.state = read_film_state(path);
     const FilmImage picture = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
-    info.luminance = luminance_statistics(picture.xyz.view(), threads);
+    const SceneLuminance luminance(picture.xyz.view(), threads);
+    info.luminance = luminance.statistics();
+    info.dynamic_range_zones = dynamic_range_zones(luminance);
     info.white_luminance_cdm2 = picture.white_luminance_cdm2;
     info.notes = picture.notes;
     return info;
@@ -280,7 +286,7 @@ InfoReport report_of(const FilmInfo& info) {
     report.member("bytes", std::to_string(info.bytes));
     report_size(info.exr.parts[info.exr.picture_part], report);
     report_channels(info, report);
-    if (info.luminance) report_luminance(*info.luminance, report);
+    if (info.luminance) report_luminance(*info.luminance, info.dynamic_range_zones, report);
     const bool is_film = info.exr.kind == ExrKind::film_state || info.exr.kind == ExrKind::film_picture;
     if (is_film) {
         report_samples(info, report);

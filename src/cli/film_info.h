@@ -21,6 +21,7 @@ struct FilmInfo {
     std::optional<FilmState> state;  ///< of a film state
     // Of a picture.
     std::optional<LuminanceStatistics> luminance;
+    double dynamic_range_zones = 0.0;  ///< see dynamic_range_zones()
     double white_luminance_cdm2 = 1.0;
     std::vector<std::string> notes = {};  ///< of read_exr(), or why there is no picture
 };

@@ -1,6 +1,10 @@
 #include "cli/tone_reports.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +19,9 @@ namespace emulsion::cli {
 namespace {
 
 constexpr int kTile_px = 320;
+
+/// Of the PNGs.
+PngOptions png_options() { return {.text = {{"Software", "Emulsion"}}}; }
 
 template <NamedVariant Variant>
 std::string blocks_of() {
@@ -39,7 +46,21 @@ std::string adaptation_list() { return blocks_of<Adaptation>(); }
 
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline,
                          int threads) {
-    write_png(png, contact_sheet(scene, pipeline, kTile_px, threads), {.text = {{"Software", "Emulsion"}}});
+    write_png(png, contact_sheet(scene, pipeline, operator_tiles(), kTile_px, threads), png_options());
+}
+
+void write_exposures(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
+    const auto* const fixed = std::get_if<FixedWhite>(&pipeline.tone_mapper);
+    double white = 0.0;
+    if (fixed != nullptr) {
+        white = fixed->white / fixed->scale;
+    } else {
+        // Two digits, for labels that can be read and typed again.
+        const double most = SceneLuminance(scene.view(), threads).robust_max_cdm2();
+        white = std::stod(fmt::format("{:.1e}", 0.1 * most));
+    }
+    const std::vector<ContactTile> tiles = exposure_tiles(std::clamp(white, 1e-30, 1e30));
+    write_png(png, contact_sheet(scene, pipeline, tiles, kTile_px, threads), png_options());
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
+#include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "core/row_blocks.h"
 #include "develop/develop.h"
@@ -52,41 +52,65 @@ void paste(const Image<CodeRGB>& tile, int x, int y, Image<CodeRGB>& sheet) {
     }
 }
 
+/// A row of up to four tiles; of more a sheet about half as high again as it is wide at most.
+int columns_of(int count, int cell_width, int cell_height) noexcept {
+    if (count <= 4) return count;
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(1.5 * count * cell_height / cell_width))), 1, count);
+}
+
 }  // namespace
 
-Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, int tile_px, int threads) {
+std::vector<ContactTile> operator_tiles() {
+    std::vector<ContactTile> tiles;
+    for_each_alternative<ToneMapper>([&](const auto& mapper) {
+        tiles.push_back({{.mapper = mapper}, std::string(mapper.kName)});
+    });
+    return tiles;
+}
+
+std::vector<ContactTile> exposure_tiles(double white_cdm2) {
+    check_range(white_cdm2, {1e-30, 1e30}, "white_cdm2");
+    std::vector<ContactTile> tiles;
+    for (const double times : {10.0, 1.0, 0.1}) {
+        const ToneMapper mapper = FixedWhite{.white = static_cast<float>(times * white_cdm2)};
+        tiles.push_back({{.mapper = mapper}, to_text(mapper)});
+    }
+    return tiles;
+}
+
+Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, std::span<const ContactTile> tiles,
+                             int tile_px, int threads) {
     check_range(tile_px, {16.0, 4096.0}, "tile_px");
+    if (tiles.empty()) throw std::invalid_argument("tiles: found none, expected one or more");
     validate(pipeline);
+    for (const ContactTile& tile : tiles) validate(tile.mapping);
     const double shrink = std::min(1.0, double(tile_px) / std::max({scene.width(), scene.height(), 1}));
     const int width = std::max(1, static_cast<int>(std::lround(shrink * scene.width())));
     const int height = std::max(1, static_cast<int>(std::lround(shrink * scene.height())));
 
-    // Room for the names, and a sheet about half as high again as it is wide at most.
-    std::size_t longest_name = 0;
-    for (const std::string_view name : names_of<ToneMapper>()) longest_name = std::max(longest_name, name.size());
-    const int label_width = static_cast<int>(longest_name) * kLabelAdvance_px * kLabelScale;
+    std::size_t longest_label = 0;
+    for (const ContactTile& tile : tiles) longest_label = std::max(longest_label, tile.label.size());
+    const int label_width = static_cast<int>(longest_label) * kLabelAdvance_px * kLabelScale;
     const int cell_width = std::max(width, label_width) + kMargin_px;
     const int cell_height = height + kLabelHeight_px * kLabelScale + 2 * kMargin_px;
-    const auto count = static_cast<int>(std::variant_size_v<ToneMapper>);
-    const int columns =
-        std::clamp(static_cast<int>(std::ceil(std::sqrt(1.5 * count * cell_height / cell_width))), 1, count);
+    const auto count = static_cast<int>(tiles.size());
+    const int columns = columns_of(count, cell_width, cell_height);
     const int rows = (count + columns - 1) / columns;
 
     Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
     std::fill(sheet.pixels().begin(), sheet.pixels().end(), kBackground);
     const XYZd white = white_xyz(pipeline.display);
+    const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
     const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
     const Image<XYZ>& picture = before ? *before : scene;
-    int number = 0;
-    for_each_alternative<ToneMapper>([&](const auto& mapper) {
-        const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
-        const ToneMapResult mapped = tone_map({.mapper = mapper}, picture.view(), display_white, threads);
+    for (int number = 0; number < count; ++number) {
+        const auto& [mapping, label] = tiles[static_cast<std::size_t>(number)];
+        const ToneMapResult mapped = tone_map(mapping, picture.view(), display_white, threads);
         const Image<XYZ> tile = averaged_down(mapped.image, width, height, threads);
         const int x = kMargin_px + number % columns * cell_width, y = kMargin_px + number / columns * cell_height;
         paste(develop_tone_mapped(tile, pipeline, threads).image, x, y, sheet);
-        draw_label(sheet.view(), x, y + height + kMargin_px / 2, mapper.kName, kInk, kLabelScale);
-        ++number;
-    });
+        draw_label(sheet.view(), x, y + height + kMargin_px / 2, label, kInk, kLabelScale);
+    }
     return sheet;
 }
 

@@ -5,7 +5,7 @@ namespace emulsion {
 Adaptation own_adaptation(const FixedWhite&) noexcept { return LogAverageAdaptation{}; }
 
 ToneReproduction prepare(const FixedWhite& mapper, const SceneLuminance&, double) {
-    return {.exposure = [scale = 1.0 / mapper.white](double) { return scale; }};
+    return {.exposure = [scale = double{mapper.scale} / mapper.white](double) { return scale; }};
 }
 
 }  // namespace emulsion

@@ -68,7 +68,7 @@ TEST(Develop, WritesTheCurve) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const std::vector<std::string> lines = lines_of(read_text(csv));
     ASSERT_GE(lines.size(), 4u);
-    EXPECT_THAT(lines[0], StartsWith("# fixed:white=32 adapted to log-average"));
+    EXPECT_THAT(lines[0], StartsWith("# fixed:white=32,scale=1 adapted to log-average"));
     EXPECT_EQ(lines[2], "luminance_cdm2,display_luminance");
     EXPECT_EQ(lines[3], "1,0.03125");
     EXPECT_EQ(lines.back(), "64,2");
@@ -82,6 +82,27 @@ TEST(Develop, DrawsTheContactSheetBesideThePicture) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(read_text(folder.file("sheet.png")), StartsWith("\x89PNG"));
     EXPECT_THAT(read_text(folder.file("ramp.png")), HasSubstr("tonemap=reinhard-global:key=0.18,white=inf"));
+}
+
+// Luminances 1 to 64 cd/m^2, 6 zones; a tenth of the brightest is 6.4.
+TEST(Develop, DrawsThreeExposures) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), strip = folder.file("strip.png");
+    EXPECT_EQ(run_program({"develop", exr, "--exposures", strip}).exit_code, 0);
+    const std::string own = read_text(strip);
+    EXPECT_THAT(own, StartsWith("\x89PNG"));
+    EXPECT_EQ(run_program({"develop", exr, "--exposures", strip, "--tonemap", "fixed:white=6.4"}).exit_code, 0);
+    EXPECT_EQ(read_text(strip), own);
+    EXPECT_EQ(run_program({"develop", exr, "--exposures", strip, "--tonemap", "fixed:white=32"}).exit_code, 0);
+    EXPECT_NE(read_text(strip), own);
+}
+
+TEST(Develop, SaysHowManyZonesThePictureSpans) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_program({"develop", write_ramp(folder), "-o", folder.file("ramp.png"), "--tonemap", "zone"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("the picture spans 6.0 zones\n"));
 }
 
 }  // namespace

@@ -135,12 +135,14 @@ TEST_F(InfoProgram, TellsAboutFilmPictures) {
     EXPECT_THAT(text_of(exr_),
                 AllOf(HasSubstr("film picture, "), HasSubstr("size             3x2 pixels\n"),
                       HasSubstr("X Y Z, 32-bit floats"), HasSubstr("luminance        8 to 32 cd/m^2\n"),
+                      HasSubstr("dynamic range    2.0 zones\n"),
                       HasSubstr("log-average      13.4543 cd/m^2\n"),  // 8 (4 * 1 * 1 * 2)^(1/4)
                       HasSubstr("left out: 1 pixel of luminance 0\n"), HasSubstr("left out: 1 pixel of negative"),
                       HasSubstr("at least 5 of each pixel, 31 in all\n"), HasSubstr("dropped          none\n"),
                       HasSubstr("too faint        4\n")));
     EXPECT_THAT(json_of(exr_), AllOf(HasSubstr("\"kind\": \"film picture\""), HasSubstr("\"min_positive_cdm2\": 8,"),
-                                     HasSubstr("\"log_average_cdm2\": 13.4543"), HasSubstr("\"zero_pixels\": 1,"),
+                                     HasSubstr("\"log_average_cdm2\": 13.4543"),
+                                     HasSubstr("\"dynamic_range_zones\": 2,"), HasSubstr("\"zero_pixels\": 1,"),
                                      HasSubstr("\"negative_pixels\": 1,"), HasSubstr("\"faint\": 4,")));
 }
 

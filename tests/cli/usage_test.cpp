@@ -64,7 +64,7 @@ TEST(Usage, SaysWhatIsMissingOrTooMuch) {
     expect_refused({"render", "x", "--crop"}, "--crop: found no value, expected X0,Y0,X1,Y1");
     expect_refused({"render", "x", "--half=maybe"}, "--half: found a value, expected none");
     expect_refused({"develop"}, "EXR: found none, expected a file");
-    expect_refused({"develop", "a.exr"}, "--output: found none, expected it, --contact-sheet or --curve");
+    expect_refused({"develop", "a.exr"}, "--output: found none, expected it, --contact-sheet, --exposures or --curve");
     expect_refused({"render", "x", "--spp", "1", "--spp", "2"}, "--spp: found 2 values, expected one");
     expect_refused({"info", "a", "b"}, "found \"b\", expected no further argument of emulsion info");
     expect_refused({"render", "x", "--tonemaps=y"},

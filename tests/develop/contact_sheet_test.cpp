@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ std::ptrdiff_t count_of(const Image<CodeRGB>& sheet, const CodeRGB& color) {
 TEST(ContactSheet, HasATileForEveryOperator) {
     // Black pictures: tiles are black, and nothing else of the sheet is.
     for (const auto& [width, height] : {std::pair{64, 32}, {7, 500}, {1, 1}}) {
-        const Image<CodeRGB> sheet = contact_sheet(Image<XYZ>(width, height), {}, 32, 0);
+        const Image<CodeRGB> sheet = contact_sheet(Image<XYZ>(width, height), {}, operator_tiles(), 32, 0);
         const double shrink = std::min(1.0, 32.0 / std::max(width, height));
         const auto tile = std::max(1L, std::lround(shrink * width)) * std::max(1L, std::lround(shrink * height));
         EXPECT_EQ(count_of(sheet, {}), tile * static_cast<long>(std::variant_size_v<ToneMapper>)) << width;
@@ -33,17 +34,35 @@ TEST(ContactSheet, AveragesWhatIsShown) {
         for (int x = 0; x < 64; x += 2) scene(x, y) = {0.9505f, 1.0f, 1.089f};
     }
     const Pipeline pipeline{.dither = NoDither{}};
-    const Image<CodeRGB> sheet = contact_sheet(scene, pipeline, 32, 1);
+    const Image<CodeRGB> sheet = contact_sheet(scene, pipeline, operator_tiles(), 32, 1);
     // sRGB of 0.5 is 187.5.
     EXPECT_GE(count_of(sheet, {188, 188, 188}) + count_of(sheet, {187, 187, 187}), 32 * 32);
 }
 
+TEST(ContactSheet, StripOfExposuresStandsInOneRow) {
+    // Grey of 2 cd/m^2 under whites of 40, 4 and 0.4.
+    Image<XYZ> scene(64, 64);
+    for (XYZ& pixel : scene.pixels()) pixel = {2.0f * 0.9505f, 2.0f, 2.0f * 1.089f};
+    const std::vector<ContactTile> tiles = exposure_tiles(4.0);
+    ASSERT_EQ(tiles.size(), 3u);
+    EXPECT_EQ(tiles[0].label, "fixed:white=40,scale=1");
+    EXPECT_EQ(tiles[2].label, "fixed:white=0.4,scale=1");
+    const Image<CodeRGB> sheet = contact_sheet(scene, {.dither = NoDither{}}, tiles, 32, 1);
+    EXPECT_LT(sheet.height(), 3 * 32);  // a second row would need 3 times 32 and two labels
+    // sRGB of 0.05 is 63.2, of 0.5 187.5.
+    EXPECT_EQ(count_of(sheet, {63, 63, 63}), 32 * 32);
+    EXPECT_EQ(count_of(sheet, {188, 188, 188}) + count_of(sheet, {187, 187, 187}), 32 * 32);
+    EXPECT_EQ(count_of(sheet, {255, 255, 255}), 32 * 32);
+}
+
 TEST(ContactSheet, RejectsWhatItCannotDraw) {
     const Image<XYZ> scene(8, 8);
-    EXPECT_THROW((void)contact_sheet(scene, {}, 15, 1), std::invalid_argument);
-    EXPECT_THROW((void)contact_sheet(scene, {}, 4097, 1), std::invalid_argument);
-    EXPECT_THROW((void)contact_sheet(Image<XYZ>(), {}, 32, 1), std::invalid_argument);
-    EXPECT_THROW((void)contact_sheet(scene, {}, 32, -1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, operator_tiles(), 15, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, operator_tiles(), 4097, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(Image<XYZ>(), {}, operator_tiles(), 32, 1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, operator_tiles(), 32, -1), std::invalid_argument);
+    EXPECT_THROW((void)contact_sheet(scene, {}, {}, 32, 1), std::invalid_argument);
+    EXPECT_THROW((void)exposure_tiles(0.0), std::invalid_argument);
 }
 
 }  // namespace
