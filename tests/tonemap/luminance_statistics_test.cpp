@@ -1,8 +1,10 @@
 #include "tonemap/luminance_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -101,6 +103,28 @@ TEST(LuminanceStatistics, SameBitsForEveryNumberOfThreads) {
     const Image<XYZ> scene = random_scene(1021, 509, 3);
     const LuminanceStatistics one = of(scene, 1);
     for (const int threads : {2, 3, 8, 0}) EXPECT_EQ(of(scene, threads), one) << threads;
+}
+
+// Of pictures of more than 2^18 pixels every fourth group of 16 in a row, the first in turn 0, 2, 1, 3.
+TEST(LuminanceStatistics, HistogramCountsTheGroupsThatItSays) {
+    for (const auto& [width, height] : {std::pair{513, 511}, {1021, 300}, {40, 7000}}) {
+        Image<XYZ> scene = random_scene(width, height, 5);
+        for (std::size_t i = 0; i < scene.pixels().size(); i += 7) scene.pixels()[i] = {};
+        for (std::size_t i = 0; i < scene.pixels().size(); i += 101) scene.pixels()[i].y = -1.0f;
+        for (std::size_t i = 3; i < scene.pixels().size(); i += 103) scene.pixels()[i].x = kNan;
+        for (std::size_t i = 5; i < scene.pixels().size(); i += 107) scene.pixels()[i].y = 1e-40f;
+        const bool all = scene.pixels().size() <= std::size_t{1} << 18u;
+        LuminanceHistogram expected;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const bool counted = all || x / 16 % 4 == std::array{0, 2, 1, 3}[static_cast<std::size_t>(y % 4)];
+                if (counted && classify(scene(x, y)) == PixelClass::positive) expected.add(scene(x, y).y);
+            }
+        }
+        for (const int threads : {1, 3, 0}) {
+            EXPECT_EQ(SceneLuminance(scene.view(), threads).histogram(), expected) << width << ' ' << threads;
+        }
+    }
 }
 
 // One outlier of 64 to 1999 pixels at each end, one thousandth of more.
