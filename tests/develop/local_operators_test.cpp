@@ -2,56 +2,17 @@
 // seen on a display: CIEDE2000, in which about 1 is just seen side by side.
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "film/exr_file.h"
 #include "spectrum/ciede2000_difference.h"
+#include "three_pictures.h"
 #include "tonemap/tone_mapper.h"
 
 namespace emulsion {
 namespace {
-
-constexpr XYZ kWhite{0.9504559f, 1.0f, 1.0890578f};
-constexpr XYZd kWhiteD{kWhite.x, kWhite.y, kWhite.z};
-
-struct TestPicture {
-    std::string_view name;
-    Image<XYZ> scene;
-};
-
-/// A room as path tracers show it: planes, soft shading, a lamp of 1 : 1000 with hard edges, and some noise.
-Image<XYZ> synthetic_room() {
-    Image<XYZ> scene(192, 160);
-    for (int y = 0; y < scene.height(); ++y) {
-        for (int x = 0; x < scene.width(); ++x) {
-            const bool is_lamp = x >= 70 && x < 120 && y >= 12 && y < 24;
-            const bool is_box = x >= 30 && x < 80 && y >= 80 && y < 140;
-            const float fall_off =
-                1.0f / (1.0f + 0.0005f * static_cast<float>((x - 95) * (x - 95) + (y - 18) * (y - 18)));
-            const float noise = 1.0f + 0.04f * static_cast<float>((x * 7919 + y * 104729) % 11 - 5) / 5.0f;
-            const float luminance = (is_lamp ? 2000.0f : is_box ? 0.4f : 12.0f) * fall_off * noise;
-            scene(x, y) = x < 40 ? XYZ{1.6f * luminance, luminance, 0.4f * luminance} : luminance * kWhite;
-        }
-    }
-    return scene;
-}
-
-const std::vector<TestPicture>& pictures() {
-    static const std::vector<TestPicture> all = [] {
-        const std::filesystem::path data = std::filesystem::path(EMULSION_SOURCE_DIR) / "tests/data";
-        std::vector<TestPicture> result;
-        result.push_back({"desk", read_exr(data / "desk_crop.exr").xyz});
-        result.push_back({"venice", read_exr(data / "venice_crop.exr").xyz});
-        result.push_back({"room", synthetic_room()});
-        return result;
-    }();
-    return all;
-}
 
 /// As a display shows it: what is above white is scaled down to it.
 Lab shown(const XYZd& pixel) { return lab_from_xyz((1.0 / std::max(pixel.y, 1.0)) * pixel, kWhiteD); }
@@ -112,7 +73,7 @@ struct Stated {
 class LocalOperators : public testing::TestWithParam<Stated> {};
 
 TEST_P(LocalOperators, AreWithinTheirToleranceOfTheTwin) {
-    for (const TestPicture& picture : pictures()) {
+    for (const TestPicture& picture : three_pictures()) {
         const Image<XYZd> exact = tone_map_reference({GetParam().mapper}, picture.scene.view(), kWhiteD);
         const Differences found = differences(exact, map(GetParam().mapper, picture.scene));
         EXPECT_LE(found.mean, GetParam().twin.mean) << picture.name;
@@ -122,7 +83,7 @@ TEST_P(LocalOperators, AreWithinTheirToleranceOfTheTwin) {
 
 // Sizes that halve evenly, as these three: rounding only.
 TEST_P(LocalOperators, TurnAndMirrorWithThePicture) {
-    for (const TestPicture& picture : pictures()) {
+    for (const TestPicture& picture : three_pictures()) {
         const Image<XYZ> before = map(GetParam().mapper, picture.scene);
         EXPECT_LE(differences(turned(before), map(GetParam().mapper, turned(picture.scene))).max, 0.01) << picture.name;
         EXPECT_LE(differences(mirrored_picture(before), map(GetParam().mapper, mirrored_picture(picture.scene))).max,
@@ -132,7 +93,7 @@ TEST_P(LocalOperators, TurnAndMirrorWithThePicture) {
 }
 
 TEST_P(LocalOperators, MirrorWithAPictureOfOddSizeNearly) {
-    for (const TestPicture& picture : pictures()) {
+    for (const TestPicture& picture : three_pictures()) {
         const Image<XYZ> scene = odd_part(picture.scene);
         const Image<XYZ> before = map(GetParam().mapper, scene);
         const Differences found =
