@@ -18,9 +18,11 @@
 namespace emulsion {
 namespace {
 
+/// All if none is named.
 std::vector<ToneMapper> chosen_mappers(const std::vector<std::string>& names) {
-    std::vector<ToneMapper> mappers;
-    for (const std::string& name : names) mappers.push_back(parse_named<ToneMapper>(name, "tonemap"));
+    std::vector<ToneMapper> mappers(names.size());
+    std::transform(names.begin(), names.end(), mappers.begin(),
+                   [](const std::string& name) { return parse_named<ToneMapper>(name, "tonemap"); });
     if (names.empty()) {
         for_each_alternative<ToneMapper>([&](const auto& mapper) { mappers.emplace_back(mapper); });
     }

@@ -78,7 +78,7 @@ struct Peer {
     double tolerance;  ///< decades
 };
 
-void PrintTo(const Peer& peer, std::ostream* out) { *out << peer.program << peer.arguments; }
+std::ostream& operator<<(std::ostream& out, const Peer& peer) { return out << peer.program << peer.arguments; }
 
 struct Agreement {
     double scale = 1.0;  ///< ours over theirs
