@@ -12,10 +12,10 @@
 
 namespace emulsion {
 
-/// A measurement: the line goes through `middle`, with a bar from `least` to `most`.
+/// The line goes through (x, y); a bar reaches from there to `bar_end`.
 struct ChartPoint {
     double x = 1.0;  ///< > 0
-    double least = 0.0, middle = 0.0, most = 0.0;
+    double y = 0.0, bar_end = 0.0;
 };
 
 struct ChartSeries {
@@ -89,10 +89,10 @@ inline std::string grid(const Chart& chart, const Axes& axes, double step) {
 inline std::string line(const ChartSeries& series, const Axes& axes, const char* color, double label_y) {
     std::string svg, path;
     for (const ChartPoint& point : series.points) {
-        const double x = axes.x(point.x), y = axes.y(point.middle);
+        const double x = axes.x(point.x), y = axes.y(point.y);
         path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, y);
         svg += fmt::format("<path d=\"M{:.1f} {:.1f}V{:.1f}\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", x,
-                           axes.y(point.least), axes.y(point.most), color);
+                           axes.y(point.y), axes.y(point.bar_end), color);
         svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, color);
     }
     svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n", path, color);
@@ -107,12 +107,12 @@ inline std::string to_svg(const Chart& chart) {
     using namespace svg_chart;  // NOLINT(google-build-using-namespace): its own parts
     double most = 0.0;
     for (const ChartSeries& series : chart.series) {
-        for (const ChartPoint& point : series.points) most = std::max(most, point.most);
+        for (const ChartPoint& point : series.points) most = std::max({most, point.y, point.bar_end});
     }
     const double step = tick_step(most);
     const Axes axes{chart.x_ticks.front(), chart.x_ticks.back(), step * std::ceil(most / step)};
     std::vector<double> ends;
-    for (const ChartSeries& series : chart.series) ends.push_back(axes.y(series.points.back().middle));
+    for (const ChartSeries& series : chart.series) ends.push_back(axes.y(series.points.back().y));
     ends = spread(ends, 18.0);
 
     std::string svg = fmt::format(

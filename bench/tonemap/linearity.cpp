@@ -22,15 +22,32 @@ namespace {
 
 constexpr int kRepeats = 5;
 
-/// Nanoseconds of processor time a pixel.
-ChartPoint measure(const ToneMapper& mapper, double megapixels) {
+struct Times {
+    double least_ns, median_ns, most_ns;  ///< of processor time a pixel
+};
+
+Times measure(const ToneMapper& mapper, double megapixels) {
     const int side = side_of_megapixels(megapixels);
-    std::vector<double> times_ns;
-    for (const MappingCost& cost : mapping_costs_apart(mapper, side, kRepeats)) {
-        times_ns.push_back(1e9 * cost.cpu_seconds / side / side);
-    }
+    std::vector<double> times_ns(kRepeats);
+    const std::vector<MappingCost> costs = mapping_costs_apart(mapper, side, kRepeats);
+    std::transform(costs.begin(), costs.end(), times_ns.begin(),
+                   [&](const MappingCost& cost) { return 1e9 * cost.cpu_seconds / side / side; });
     std::sort(times_ns.begin(), times_ns.end());
-    return {megapixels, times_ns.front(), times_ns[times_ns.size() / 2], times_ns.back()};
+    return {times_ns.front(), times_ns[kRepeats / 2], times_ns.back()};
+}
+
+/// The least time, and a bar up to the median: others on the machine only add.
+ChartSeries measured_series(const ToneMapper& mapper, const std::vector<double>& sizes) {
+    const std::string text = to_text(mapper);
+    ChartSeries series{text.substr(0, text.find(':')), {}};
+    for (const double megapixels : sizes) {
+        const Times times = measure(mapper, megapixels);
+        series.points.push_back({megapixels, times.least_ns, times.median_ns});
+        std::printf("| `%s` | %g | %.2f, %.2f, %.2f |\n", series.name.c_str(), megapixels, times.least_ns,
+                    times.median_ns, times.most_ns);
+        std::fflush(stdout);
+    }
+    return series;
 }
 
 void draw(const std::string& path, double most_megapixels) {
@@ -46,15 +63,7 @@ void draw(const std::string& path, double most_megapixels) {
                 kRepeats);
     for (const ToneMapper& mapper : {ToneMapper{ReinhardGlobal{}}, ToneMapper{ReinhardLocal{}},
                                      ToneMapper{HighContrast{}}, ToneMapper{Durand{}}}) {
-        const std::string text = to_text(mapper);
-        ChartSeries& series = chart.series.emplace_back();
-        series.name = text.substr(0, text.find(':'));
-        for (const double megapixels : chart.x_ticks) {
-            const ChartPoint& point = series.points.emplace_back(measure(mapper, megapixels));
-            std::printf("| `%s` | %g | %.2f, %.2f, %.2f |\n", series.name.c_str(), point.x, point.least, point.middle,
-                        point.most);
-            std::fflush(stdout);
-        }
+        chart.series.push_back(measured_series(mapper, chart.x_ticks));
     }
     std::ofstream file(path);
     file << to_svg(chart);
