@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/file_names.h"
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"
 #include "film/film_layers.h"
@@ -22,14 +23,6 @@ Image<XYZ> picture_in_file(const std::filesystem::path& output, const Image<XYZ>
 }
 
 }  // namespace
-
-bool is_state_name(const std::filesystem::path& path) { return path.string().ends_with(".film.exr"); }
-
-std::filesystem::path state_name(const std::filesystem::path& output) {
-    if (is_state_name(output)) return output;
-    std::filesystem::path state = output;
-    return state.replace_extension(".film.exr");
-}
 
 FilmState state_of(const FilmInProgress& film, const FilmMetadata& run) {
     return film.read([&](const Film& contents, const FilmProvenance& provenance) {

@@ -11,12 +11,6 @@
 
 namespace emulsion::cli {
 
-/// Whether a name ends in ".film.exr".
-[[nodiscard]] bool is_state_name(const std::filesystem::path& path);
-
-/// The state's name for a render that writes `output`: NAME.film.exr beside NAME.exr; `output` itself if it is a state.
-[[nodiscard]] std::filesystem::path state_name(const std::filesystem::path& output);
-
 /// Film and account as they belong together, even while threads add to them.
 [[nodiscard]] FilmState state_of(const FilmInProgress& film, const FilmMetadata& run);
 

@@ -61,6 +61,8 @@ int run(int argc, char** argv) {
     program.name("emulsion");
     program.set_version_flag("--version", "emulsion " EMULSION_VERSION);
     program.require_subcommand(1);
+    // Of flags: --half, not --half=yes. Subcommands inherit it.
+    program.option_defaults()->disable_flag_override();
     program.formatter(emulsion::cli::help_formatter());
     const RenderCommand render(program);
     const DevelopCommand develop(program);

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/file_names.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion::cli {
@@ -22,11 +22,6 @@ std::optional<Number> whole_text_as(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return value;
-}
-
-bool has_extension(const std::string& name, std::string_view lower, std::string_view upper) {
-    const std::string extension = std::filesystem::path(name).extension();
-    return extension == lower || extension == upper;
 }
 
 }  // namespace
@@ -60,12 +55,12 @@ std::string is_seconds(const std::string& text) {
 }
 
 std::string ends_in_exr(const std::string& name) {
-    if (has_extension(name, ".exr", ".EXR")) return {};
+    if (has_extension(name, ".exr")) return {};
     return found_expected(name, "a name ending in .exr (--png writes a PNG)");
 }
 
 std::string ends_in_png(const std::string& name) {
-    if (has_extension(name, ".png", ".PNG")) return {};
+    if (has_extension(name, ".png")) return {};
     return found_expected(name, "a name ending in .png");
 }
 

@@ -13,6 +13,7 @@
 
 #include "cli/checkpoints.h"
 #include "cli/distinct_files.h"
+#include "cli/file_names.h"
 #include "cli/film_files.h"
 #include "cli/loss_warnings.h"
 #include "cli/messages.h"

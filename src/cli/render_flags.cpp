@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/distinct_files.h"
-#include "cli/film_files.h"
+#include "cli/file_names.h"
 #include "cli/named_option.h"
 #include "cli/option_checks.h"
 #include "cli/pipeline_options.h"

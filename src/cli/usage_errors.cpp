@@ -78,15 +78,14 @@ std::string unknown_text(const CLI::App& command, const std::vector<std::string>
 
 /// Of values too many or too few; the message starts with the option's name.
 std::string mismatch_text(const CLI::App& command, const std::string& message) {
-    // "Could not convert: --half = x" is of a flag.
-    constexpr std::string_view kConversion = "Could not convert: ";
-    const std::string from_name = message.starts_with(kConversion) ? message.substr(kConversion.size()) : message;
-    const std::string name = from_name.substr(0, from_name.find_first_of(": "));
+    // "half was given a disallowed flag override" of --half=x, without its dashes.
+    const std::string word = message.substr(0, message.find_first_of(": "));
     const std::vector<const CLI::Option*> options = command.get_options();
-    const auto is_named = [&](const CLI::Option* each) { return each->check_name(name); };
+    const auto is_named = [&](const CLI::Option* each) { return each->check_name(word) || each->check_lname(word); };
     const auto found = std::find_if(options.begin(), options.end(), is_named);
     if (found == options.end()) return message;
     const CLI::Option& option = **found;
+    const std::string name = option.get_name();
     if (option.get_expected_max() == 0) return fmt::format("{}: found a value, expected none", name);
     if (option.count() > 1) return fmt::format("{}: found {} values, expected one", name, option.count());
     return fmt::format("{}: found no value, expected {}", name, value_text(option));
@@ -100,8 +99,7 @@ std::string usage_error_text(const CLI::App& program, const CLI::ParseError& err
     const std::string message = error.what();
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_text(command, unread, message);
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_text(command, unread, message);
-    const bool is_mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ||
-                             dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
+    const bool is_mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
     return is_mismatch ? mismatch_text(command, message) : message;
 }
 

@@ -135,8 +135,6 @@ class BasicFilmTile {
         return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(y) * width_ + x - first_);
     }
 
-    /// Whether the sample counts, and how much of it; 0 if it is kept out.
-    [[nodiscard]] static float kept_share(const SensorSample& sample, float max_luminance) noexcept;
     void accumulate_unusual(std::size_t i, int x, int y, const SensorSample& sample, float weight) noexcept;
     void count_if_faint(float luminance) noexcept {
         if (luminance <= Sums::kFaintLuminance_cdm2) [[unlikely]]
@@ -144,7 +142,6 @@ class BasicFilmTile {
     }
     void count_unless_black(float luminance) noexcept;
     void add_channels(std::size_t i, XYZ value, float weight) noexcept;
-    void add_squares(std::size_t i, XYZ value, float weight) noexcept;
     void add_buckets(std::size_t i, const SensorSample& sample, const SpectralSample& spectral, float weight) noexcept;
     void spread(float x_px, float y_px, const SensorSample& sample, const SpectralSample& spectral) noexcept;
     /// The usual case of it, without memory on the way from the place to the weights: four by four pixels, all of them
@@ -158,7 +155,6 @@ class BasicFilmTile {
         return all(Float4{x_px, y_px, -x_px, -y_px} >= least_places_);
     }
     [[nodiscard]] bool is_aux_value(std::size_t layer, std::span<const float> values) const noexcept;
-    void add_aux_to(std::size_t i, std::size_t layer, std::span<const float> values, float weight) noexcept;
 
     static constexpr bool kCarries = requires(Pixel & pixel) { pixel.carry(); };
     /// Makes room in the sums of a pixel, once in so many samples.
@@ -169,7 +165,13 @@ class BasicFilmTile {
         }
     }
     /// The same for all pixels, once in so many samples of the tile.
-    void carry_all_in_time() noexcept;
+    void carry_all_in_time() noexcept {
+        if constexpr (kCarries) {
+            if (++since_carry_ % kSamplesPerCarry != 0) [[likely]]
+                return;
+            for (Pixel& pixel : pixels_) pixel.carry();
+        }
+    }
     void drop(int x, int y, const SensorSample& sample, float weight) noexcept;
 
     static constexpr std::uint32_t kSamplesPerCarry = 1u << 23;

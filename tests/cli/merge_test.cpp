@@ -100,6 +100,12 @@ TEST_F(MergeProgram, OneFilmAloneIsWrittenAnew) {
     EXPECT_EQ(read_exr(exr_).metadata.sample_count, 287u);
 }
 
+TEST_F(MergeProgram, ANameInCapitalsIsThatOfAStateAllTheSame) {
+    const std::string capitals = folder_.file("OUT.FILM.EXR");
+    ASSERT_EQ(merge({a_, b_, "-o", capitals}).exit_code, 0);
+    EXPECT_TRUE(is_film_state(capitals));
+}
+
 TEST_F(MergeProgram, SaysWhatAFilmThatWasStoppedHas) {
     FilmState state = film_state(small_film(), 0, 3);
     state.provenance.partial = PartialRound{{3, 8}, 4, {1, 0, 0, 1, 1, 0}};

@@ -165,6 +165,15 @@ TEST_F(RenderState, ResumedItSaysFromWhatAndGoesOnToMoreSamples) {
     EXPECT_TRUE(read_exr(file("a.exr")).xyz == read_exr(file("b.film.exr")).xyz);
 }
 
+TEST_F(RenderState, ANameInCapitalsIsThatOfAStateAllTheSame) {
+    const std::string capitals = file("A.FILM.EXR");
+    const std::vector<std::string> arguments = {"-o", capitals, "--shard", "1/2", "--checkpoint", "9", "--resume"};
+    ASSERT_EQ(render(arguments).exit_code, 0);
+    EXPECT_TRUE(is_film_state(capitals));
+    EXPECT_THAT(render(arguments).out, StartsWith("resuming from " + capitals));
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"A.FILM.EXR", "small.pbrt"})) << "no state beside the state";
+}
+
 TEST_F(RenderState, RefusesStatesOfOtherRenders) {
     ASSERT_EQ(render({"-o", file("a.film.exr")}).exit_code, 0);
     const std::string before = read_text(file("a.film.exr"));

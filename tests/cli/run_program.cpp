@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -26,6 +27,10 @@ namespace {
     argv.push_back(nullptr);
     ::execv(argv[0], argv.data());
     ::_exit(127);
+}
+
+void hear_stop_signals() {
+    for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_DFL);
 }
 
 std::string read_all(int descriptor) {
@@ -56,6 +61,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const RunOp
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("fork");
     if (child == 0) {
+        if (options.signals == StopSignals::heard) hear_stop_signals();
         ::dup2(out[1], STDOUT_FILENO);
         ::dup2(err[1], STDERR_FILENO);
         if (options.before) options.before();

@@ -14,8 +14,13 @@ struct ProgramResult {
     std::string out, err;
 };
 
+/// Whether the program hears Ctrl-C and the request to terminate, or ignores those that the tests ignore. Shells have
+/// what they start in the background ignore Ctrl-C, tests too: a program that one means to interrupt would never end.
+enum class StopSignals { heard, inherited };
+
 /// `before` runs in the child process before the program starts; `while_running` in this one, with the child's id.
 struct RunOptions {
+    StopSignals signals = StopSignals::heard;
     std::function<void()> before = {};
     std::function<void(pid_t)> while_running = {};
 };

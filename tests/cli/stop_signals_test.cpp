@@ -104,8 +104,8 @@ TEST_F(StopSignal, WhatTheProcessWasStartedToIgnoreStaysIgnored) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
     };
-    const ProgramResult result =
-        run_program({"render", scene_, "-o", exr_, "--spp", "500"}, {.while_running = interrupt});
+    const ProgramResult result = run_program({"render", scene_, "-o", exr_, "--spp", "500"},
+                                             {.signals = StopSignals::inherited, .while_running = interrupt});
     std::signal(SIGINT, before);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, Not(HasSubstr("stopped")));

@@ -62,13 +62,22 @@ TEST(Usage, SaysWhatIsMissingOrTooMuch) {
     expect_refused({"merge", "a.film.exr"}, "--output: found none, expected FILE");
     expect_refused({"color", "matrix", "--from", "XYZ"}, "--to: found none, expected SPACE");
     expect_refused({"render", "x", "--crop"}, "--crop: found no value, expected X0,Y0,X1,Y1");
-    expect_refused({"render", "x", "--half=maybe"}, "--half: found a value, expected none");
     expect_refused({"develop"}, "EXR: found none, expected a file");
     expect_refused({"develop", "a.exr"}, "--output: found none, expected it, --contact-sheet, --exposures or --curve");
     expect_refused({"render", "x", "--spp", "1", "--spp", "2"}, "--spp: found 2 values, expected one");
     expect_refused({"info", "a", "b"}, "found \"b\", expected no further argument of emulsion info");
     expect_refused({"render", "x", "--tonemaps=y"},
                    "found \"--tonemaps=y\", expected an option of emulsion render; nearest: --tonemap");
+}
+
+// Neither those that set a bool nor those that call back, of whatever command; no value says "no", either.
+TEST(Usage, AFlagTakesNoValue) {
+    for (const char* value : {"yes", "no", "maybe", "0", "2", "false"}) {
+        expect_refused({"render", "x", std::string("--half=") + value}, "--half: found a value, expected none");
+    }
+    expect_refused({"render", "x", "--splat=no"}, "--splat: found a value, expected none");
+    expect_refused({"merge", "x", "-o", "a.exr", "--rgb=yes"}, "--rgb: found a value, expected none");
+    expect_refused({"color", "spectrum", "--json=on"}, "--json: found a value, expected none");
 }
 
 TEST(Usage, APictureHasTheNameOfItsKind) {
