@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/row_blocks.h"
+#include "tonemap/neighbourhood_rows.h"
 
 namespace emulsion {
 
@@ -42,10 +43,9 @@ double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, 
 /// Stands in the result for a pixel that is not good, until it is replaced.
 constexpr float kMissing = -1.0f;
 
-/// A row without the branches of classify(), so that it is worked on several pixels at a time. \return whether any is
-/// missing
+/// \return whether any is missing
 template <class T>
-bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
+bool exact_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
     constexpr float kLargestFloat = std::numeric_limits<float>::max();
     bool any_missing = false;
     for (std::size_t x = 0; x < in.size(); ++x) {
@@ -59,6 +59,18 @@ bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier
     return any_missing;
 }
 
+/// In single precision where it reaches.
+bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<float> out) {
+    if (per_cdm2 < 0x1p-100 || per_cdm2 > 0x1p100) return exact_relative_row(in, per_cdm2, least_outlier, out);
+    constexpr double kInfinity = std::numeric_limits<float>::infinity();
+    return relative_row(in, static_cast<float>(per_cdm2), static_cast<float>(std::min(least_outlier, kInfinity)),
+                        kLargest, out);
+}
+bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier,
+                         std::span<double> out) noexcept {
+    return exact_relative_row(in, per_cdm2, least_outlier, out);
+}
+
 }  // namespace
 
 double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
@@ -69,7 +81,7 @@ Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& lu
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<T> out = result.row(y);
-        if (!relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
+        if (!narrow_relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
         for (std::size_t x = 0; x < out.size(); ++x) {
             if (out[x] != T(kMissing)) continue;
             const double instead = stand_in(scene, static_cast<int>(x), y, least_outlier, unit);

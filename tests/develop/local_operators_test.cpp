@@ -105,8 +105,7 @@ Image<XYZ> odd_part(const Image<XYZ>& image) {
 /// An operator and what its header states.
 struct Stated {
     ToneMapper mapper;
-    Differences twin;      ///< from the double-precision twin
-    Differences mirrored;  ///< of a picture of odd size from the same mirrored
+    Differences twin;  ///< from the double-precision twin
 };
 
 class LocalOperators : public testing::TestWithParam<Stated> {};
@@ -120,33 +119,30 @@ TEST_P(LocalOperators, AreWithinTheirToleranceOfTheTwin) {
     }
 }
 
-// Sizes that halve evenly, as these three: rounding only.
+void expect_turns_and_mirrors(const ToneMapper& mapper, const Image<XYZ>& scene, std::string_view name) {
+    const Image<XYZ> before = map(mapper, scene);
+    EXPECT_LE(differences(turned(before), map(mapper, turned(scene))).max, 0.01) << name;
+    EXPECT_LE(differences(mirrored_picture(before), map(mapper, mirrored_picture(scene))).max, 0.01) << name;
+}
+
+// Rounding only.
 TEST_P(LocalOperators, TurnAndMirrorWithThePicture) {
     for (const TestPicture& picture : pictures()) {
-        const Image<XYZ> before = map(GetParam().mapper, picture.scene);
-        EXPECT_LE(differences(turned(before), map(GetParam().mapper, turned(picture.scene))).max, 0.01) << picture.name;
-        EXPECT_LE(differences(mirrored_picture(before), map(GetParam().mapper, mirrored_picture(picture.scene))).max,
-                  0.01)
-            << picture.name;
+        expect_turns_and_mirrors(GetParam().mapper, picture.scene, picture.name);
     }
 }
 
-TEST_P(LocalOperators, MirrorWithAPictureOfOddSizeNearly) {
+// No size is even, nor are most of the smaller pictures'.
+TEST_P(LocalOperators, TurnAndMirrorWithAPictureOfOddSize) {
     for (const TestPicture& picture : pictures()) {
         const Image<XYZ> scene = odd_part(picture.scene);
-        const Image<XYZ> before = map(GetParam().mapper, scene);
-        const Differences found =
-            differences(mirrored_picture(before), map(GetParam().mapper, mirrored_picture(scene)));
-        EXPECT_LE(found.mean, GetParam().mirrored.mean) << picture.name;
-        EXPECT_LE(found.max, GetParam().mirrored.max) << picture.name;
+        expect_turns_and_mirrors(GetParam().mapper, scene, picture.name);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LocalOperators,
-                         testing::Values(Stated{ReinhardLocal{}, {0.1, 2.0}, {0.1, 2.0}},
-                                         Stated{HighContrast{}, {0.1, 2.5}, {0.1, 2.5}},
-                                         Stated{Durand{5.0f}, {0.1, 1.0}, {0.001, 0.01}},
-                                         Stated{LocalAdaptation{}, {0.05, 1.0}, {0.1, 3.5}}),
+                         testing::Values(Stated{ReinhardLocal{}, {0.1, 2.0}}, Stated{HighContrast{}, {0.1, 2.5}},
+                                         Stated{Durand{5.0f}, {0.1, 1.0}}, Stated{LocalAdaptation{}, {0.05, 1.0}}),
                          [](const auto& instance) {
                              std::string name = to_text(instance.param.mapper);
                              name.resize(std::min(name.size(), name.find(':')));
