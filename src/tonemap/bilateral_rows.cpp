@@ -9,21 +9,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "tonemap/vector_loop.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace emulsion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Floats = hn::ScalableTag<float>;
-using OneFloat = hn::CappedTag<float, 1>;
-
-/// Calls step(tag, i) for vectors of [0, count), and for what is left over value by value.
-template <class Step>
-HWY_INLINE void for_each_vector(std::size_t count, const Step& step) {
-    const std::size_t lanes = hn::Lanes(Floats());
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) step(Floats(), i);
-    for (; i < count; ++i) step(OneFloat(), i);
-}
 
 PositiveRange range(const float* values, std::size_t count) {
     PositiveRange range;
@@ -115,9 +106,9 @@ void spread(const GridLevels& levels, const GridColumns& columns, float below, c
         for (std::size_t i = 0; i < size; ++i) {
             const std::size_t x = begin + i;
             float* const to = cells + columns.cell_offset[x] + kCellSums * std::size_t{places.level[i]};
-            const auto across = hn::LoadDup128(tag, columns.across + 4 * x);
             const auto place = hn::Set(tag, places.place[i]), up = hn::Set(tag, places.up[i]);
             for (std::size_t k = 0; k < kCellSums; k += hn::Lanes(tag)) {
+                const auto across = hn::LoadDup128(tag, columns.across + 4 * x + k % 4);  // four, again and again
                 const auto factor = hn::Add(hn::LoadU(tag, kForWeight.data() + k),
                                             hn::Mul(place, hn::LoadU(tag, kForPlace.data() + k)));
                 const auto sums = hn::Mul(hn::Mul(across, hn::LoadU(tag, down.data() + k)), factor);

@@ -12,21 +12,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "tonemap/vector_loop.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace emulsion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Floats = hn::ScalableTag<float>;
-using OneFloat = hn::CappedTag<float, 1>;
-
-/// Calls step(tag, i) for vectors of [0, count), and for what is left over value by value.
-template <class Step>
-HWY_INLINE void for_each_vector(std::size_t count, const Step& step) {
-    const std::size_t lanes = hn::Lanes(Floats());
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) step(Floats(), i);
-    for (; i < count; ++i) step(OneFloat(), i);
-}
 
 bool relative(const float* in, float per_unit, float least_outlier, float most, float* out, std::size_t count) {
     bool any_missing = false;
