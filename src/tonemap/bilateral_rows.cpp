@@ -28,10 +28,10 @@ PositiveRange range(const float* values, std::size_t count) {
 }
 
 /// coefficients[0] + x (coefficients[1] + x (...)), without fused operations.
-template <class Tag, std::size_t kCount>
-HWY_INLINE hn::Vec<Tag> polynomial(Tag tag, hn::Vec<Tag> x, const std::array<float, kCount>& coefficients) {
-    auto sum = hn::Set(tag, coefficients[kCount - 1]);
-    for (std::size_t i = kCount - 1; i-- > 0;) sum = hn::Add(hn::Set(tag, coefficients[i]), hn::Mul(x, sum));
+template <class Tag, std::size_t Count>
+HWY_INLINE hn::Vec<Tag> polynomial(Tag tag, hn::Vec<Tag> x, const std::array<float, Count>& coefficients) {
+    auto sum = hn::Set(tag, coefficients[Count - 1]);
+    for (std::size_t i = Count - 1; i-- > 0;) sum = hn::Add(hn::Set(tag, coefficients[i]), hn::Mul(x, sum));
     return sum;
 }
 

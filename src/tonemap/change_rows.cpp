@@ -22,9 +22,8 @@ std::span<const float* const> OriginalRows::about(int y) {
     }
     const std::span<const float> here = picture_->row(y);
     std::copy(here.begin(), here.end(), kept(y));
-    for (int j = -radius_; j <= radius_; ++j) {
-        const int from = y + j;
-        const float*& row = rows_[static_cast<std::size_t>(radius_ + j)];
+    int from = y - radius_;
+    for (const float*& row : rows_) {
         if (from < begin_) {
             row = border_.row(from - begin_ + radius_).data();
         } else if (from <= y) {
@@ -34,6 +33,7 @@ std::span<const float* const> OriginalRows::about(int y) {
         } else {
             row = border_.row(radius_ + from - end_).data();
         }
+        ++from;
     }
     return rows_;
 }

@@ -42,25 +42,25 @@ struct Weights {
     const float* const* taps;
 };
 
-/// kVectors sums at a time, from `begin` on: enough for additions not to wait for one another.
-template <std::size_t kVectors, class Tag>
+/// Several vectors of sums at a time, from `begin` on: enough for additions not to wait for one another.
+template <std::size_t Vectors, class Tag>
 HWY_INLINE void convolve_block(Tag tag, const Weights& weights, std::size_t begin, float* out) {
     using Vector = hn::Vec<Tag>;
     const std::size_t lanes = hn::Lanes(tag);
     const float* const middle = weights.taps[weights.radius] + begin;
     auto weight = hn::Set(tag, weights.kernel[0]);
-    std::array<Vector, kVectors> sum;  // NOLINT(cppcoreguidelines-pro-type-member-init): registers
-    for (std::size_t i = 0; i < kVectors; ++i) sum[i] = hn::Mul(weight, hn::LoadU(tag, middle + lanes * i));
+    std::array<Vector, Vectors> sum;  // NOLINT(cppcoreguidelines-pro-type-member-init): registers
+    for (std::size_t i = 0; i < Vectors; ++i) sum[i] = hn::Mul(weight, hn::LoadU(tag, middle + lanes * i));
     for (std::size_t j = 1; j <= weights.radius; ++j) {
         const float* const before = weights.taps[weights.radius - j] + begin;
         const float* const after = weights.taps[weights.radius + j] + begin;
         weight = hn::Set(tag, weights.kernel[j]);
-        for (std::size_t i = 0; i < kVectors; ++i) {
+        for (std::size_t i = 0; i < Vectors; ++i) {
             const auto pair = hn::Add(hn::LoadU(tag, before + lanes * i), hn::LoadU(tag, after + lanes * i));
             sum[i] = hn::Add(sum[i], hn::Mul(weight, pair));
         }
     }
-    for (std::size_t i = 0; i < kVectors; ++i) hn::StoreU(sum[i], tag, out + begin + lanes * i);
+    for (std::size_t i = 0; i < Vectors; ++i) hn::StoreU(sum[i], tag, out + begin + lanes * i);
 }
 
 void convolve_rows(const float* kernel, std::size_t radius, const float* const* taps, float* out, std::size_t count) {
