@@ -53,4 +53,10 @@ LevelAxis LevelAxis::next() const {
     return next;
 }
 
+double LevelAxis::remaining_variance(double sigma_px) const noexcept {
+    constexpr double kPixelVariance = 1.0 / 12.0;  // which gaussian_kernel() adds
+    if (halving.size() == 1) return 0.0;
+    return (sigma_px * sigma_px + kPixelVariance - variance_px2) / (scale_px * scale_px) - kPixelVariance;
+}
+
 }  // namespace emulsion

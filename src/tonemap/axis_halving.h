@@ -44,6 +44,11 @@ struct LevelAxis {
 
     explicit LevelAxis(int size) : halving(size) {}
     [[nodiscard]] LevelAxis next() const;
+
+    /// The variance in samples^2 that is left to blur by at this level, so that coming here, gaussian_kernel() of that
+    /// variance, and going back spread as far as gaussian_kernel() of `sigma_px` at the first level. Negative: they
+    /// spread farther without it. 0 if there is but one sample.
+    [[nodiscard]] double remaining_variance(double sigma_px) const noexcept;
 };
 
 }  // namespace emulsion

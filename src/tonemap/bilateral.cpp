@@ -5,10 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <span>
-#include <vector>
 
-#include "core/row_blocks.h"
 #include "tonemap/bilateral_grid.h"
 #include "tonemap/mirrored_border.h"
 
@@ -17,17 +14,12 @@ namespace emulsion {
 namespace {
 
 /// The least positive luminance; 1 if there is none.
-template <class T>
-T least_positive(const Image<T>& luminance, int threads) {
-    constexpr T kNone = std::numeric_limits<T>::infinity();
-    std::vector<T> rows(static_cast<std::size_t>(luminance.height()), kNone);
-    parallel_for_rows(luminance.width(), luminance.height(), threads, [&](int y) {
-        T least = kNone;
-        for (const T value : luminance.row(y)) least = std::min(least, value > T(0) ? value : kNone);
-        rows[static_cast<std::size_t>(y)] = least;
-    });
-    const T least = *std::min_element(rows.begin(), rows.end());
-    return least < kNone ? least : T(1);
+double least_positive(const Image<double>& luminance) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double value : luminance.pixels()) {
+        if (value > 0.0) least = std::min(least, value);
+    }
+    return std::isfinite(least) ? least : 1.0;
 }
 
 template <class T>
@@ -37,28 +29,17 @@ double sigma_px(const BilateralAdaptation& adaptation, const Image<T>& picture) 
 
 }  // namespace
 
-Image<float> local_luminance(const BilateralAdaptation& adaptation, const Image<float>& relative_luminance,
-                             int threads) {
-    const int width = relative_luminance.width(), height = relative_luminance.height();
-    const float least = least_positive(relative_luminance, threads);
-    Image<float> result(width, height);
-    parallel_for_rows(width, height, threads, [&](int y) {
-        const std::span<const float> in = relative_luminance.row(y);
-        std::transform(in.begin(), in.end(), result.row(y).begin(),
-                       [&](float luminance) { return std::log2(std::max(luminance, least)); });
-    });
+Image<float> local_luminance(const BilateralAdaptation& adaptation, Image<float> relative_luminance, int threads) {
     const double octaves_in_decade = std::numbers::ln10 / std::numbers::ln2;
-    bilateral_filter(result.view(), sigma_px(adaptation, result), octaves_in_decade * adaptation.sigma_range, threads);
-    parallel_for_rows(width, height, threads, [&](int y) {
-        for (float& value : result.row(y)) value = std::exp2(value);
-    });
-    return result;
+    const double sigma = sigma_px(adaptation, relative_luminance);
+    bilateral_filter(relative_luminance.view(), sigma, octaves_in_decade * adaptation.sigma_range, threads);
+    return relative_luminance;
 }
 
 Image<double> local_luminance_reference(const BilateralAdaptation& adaptation,
                                         const Image<double>& relative_luminance) {
     const int width = relative_luminance.width(), height = relative_luminance.height();
-    const double least = least_positive(relative_luminance, 1), sigma = sigma_px(adaptation, relative_luminance);
+    const double least = least_positive(relative_luminance), sigma = sigma_px(adaptation, relative_luminance);
     const int radius = static_cast<int>(3.0 * sigma);
     Image<double> logarithms(width, height), result(width, height);
     for (std::size_t i = 0; i < result.pixels().size(); ++i) {

@@ -36,8 +36,8 @@ struct BilateralAdaptation {
 /// Over the log-average, as the picture given (relative_luminance.h). Fast by a grid (bilateral_grid.h); within the
 /// tolerance of tone_map_reference() of its twin, which takes every pixel of the square. The same bits for every number
 /// of threads (0: all). \throws std::invalid_argument if threads < 0.
-[[nodiscard]] Image<float> local_luminance(const BilateralAdaptation& adaptation,
-                                           const Image<float>& relative_luminance, int threads);
+[[nodiscard]] Image<float> local_luminance(const BilateralAdaptation& adaptation, Image<float> relative_luminance,
+                                           int threads);
 [[nodiscard]] Image<double> local_luminance_reference(const BilateralAdaptation& adaptation,
                                                       const Image<double>& relative_luminance);
 

@@ -4,14 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
 #include "core/row_blocks.h"
-#include "tonemap/convolve.h"
+#include "tonemap/bilateral_rows.h"
 #include "tonemap/mirrored_border.h"
+#include "tonemap/neighbourhood_rows.h"
 
 namespace emulsion {
 
@@ -57,31 +59,34 @@ Axis make_axis(int pixels, double sigma_px) {
     return axis;
 }
 
-/// The least and the largest value.
-std::pair<float, float> range_of(ImageView<const float> values, int threads) {
-    std::vector<std::pair<float, float>> rows(static_cast<std::size_t>(values.height()));
-    parallel_for_rows(values.width(), values.height(), threads, [&](int y) {
-        float least = values(0, y), most = least;
-        for (const float value : values.row(y)) {
-            least = std::min(least, value);
-            most = std::max(most, value);
-        }
-        rows[static_cast<std::size_t>(y)] = {least, most};
-    });
-    std::pair<float, float> range = rows.front();
-    for (const auto& [least, most] : rows) range = {std::min(range.first, least), std::max(range.second, most)};
-    return range;
+/// From the least positive luminance to the largest; 1 if there is none.
+PositiveRange range_of(ImageView<const float> luminance, int threads) {
+    std::vector<PositiveRange> rows(static_cast<std::size_t>(luminance.height()));
+    parallel_for_rows(luminance.width(), luminance.height(), threads,
+                      [&](int y) { rows[static_cast<std::size_t>(y)] = positive_range(luminance.row(y)); });
+    PositiveRange range;
+    for (const PositiveRange& row : rows) range = {std::min(range.least, row.least), std::max(range.most, row.most)};
+    return range.most > 0.0f ? range : PositiveRange{1.0f, 1.0f};
 }
 
-/// What a node holds: a sum of weights, and one of weighted values, the values in steps of the grid.
-constexpr std::size_t kSums = 2;
+GridLevels levels_of(const PositiveRange& range, double sigma_octaves) {
+    std::array<float, 2> ends = {range.least, range.most};
+    log2_row(range.least, ends);
+    GridLevels levels{ends[0], static_cast<float>(0.5 * sigma_octaves), 2};
+    levels.count += static_cast<std::uint32_t>((ends[1] - ends[0]) / levels.step);
+    return levels;
+}
+
+/// Rows between the same two rows of nodes.
+struct Band {
+    int begin = 0, end = 0;
+    std::vector<float> sums;  ///< what its pixels add to the two rows of nodes
+};
 
 class BilateralGrid {
   public:
-    BilateralGrid(ImageView<const float> values, double sigma_px, double sigma_value, int threads)
-        : BilateralGrid(values, range_of(values, threads), sigma_px, sigma_value) {
-        spread(values, threads);
-    }
+    /// `luminance` becomes its logarithms.
+    BilateralGrid(ImageView<float> luminance, double sigma_px, double sigma_octaves, int threads);
 
     void blur(int threads) {
         std::vector<float> blurred(sums_.size());
@@ -89,85 +94,121 @@ class BilateralGrid {
         sums_.swap(blurred);
     }
 
-    void read_row(int y, std::span<float> values) const noexcept;
+    /// `logarithms` become averages of luminance.
+    void read(ImageView<float> logarithms, int threads) const;
 
   private:
-    /// Empty. The levels are blurred by two steps, less what spreading and reading blur: twice the mean of f (1 - f)
-    /// for f in [0, 1].
-    BilateralGrid(ImageView<const float> values, std::pair<float, float> range, double sigma_px, double sigma_value)
-        : across_(make_axis(values.width(), sigma_px)),
-          down_(make_axis(values.height(), sigma_px)),
-          least_(range.first),
-          step_(static_cast<float>(0.5 * sigma_value)),
-          levels_(static_cast<std::size_t>((range.second - range.first) / step_) + 2),
-          level_kernel_(sampled_gaussian(4.0 - 1.0 / 3.0, 8)) {}
-
-    [[nodiscard]] std::size_t node_size() const noexcept { return kSums * levels_; }
+    [[nodiscard]] std::size_t node_size() const noexcept { return kGridSums * levels_.count; }
+    [[nodiscard]] std::size_t cell_size() const noexcept { return kCellCopies * kCellSums * levels_.count; }
     [[nodiscard]] std::size_t row_size() const noexcept {
         return node_size() * static_cast<std::size_t>(across_.nodes);
     }
     [[nodiscard]] const float* row(int y) const noexcept {
         return sums_.data() + row_size() * static_cast<std::size_t>(y);
     }
+    [[nodiscard]] GridColumns columns() const noexcept {
+        return {cell_offset_.data(), left_.data(), right_.data(), shares_.data()};
+    }
 
-    void spread(ImageView<const float> values, int threads);
-    void spread_row(std::span<const float> values, float down, float* before, float* after) const noexcept;
+    void place_columns();
+    void place_bands();
+    void spread(ImageView<float> luminance, float least, Band& band) const;
+    void gather(std::size_t cell, const float* sums, float* above, float* below) const noexcept;
     void blur_row(int y, std::vector<float>& blurred) const;
 
     Axis across_, down_;
-    float least_, step_;  ///< the value of the first level, and from one to the next
-    std::size_t levels_;
+    GridLevels levels_;
     std::vector<float> level_kernel_;
+    std::vector<std::uint32_t> cell_offset_, left_, right_;  ///< GridColumns
+    std::vector<float> shares_;
+    std::vector<std::size_t> first_column_;  ///< of each cell of a row
+    std::vector<Band> bands_;
     std::vector<float> sums_;
 };
 
-/// Rows between the same two rows of nodes are spread by one thread into sums of their own, which are then added in a
-/// fixed order.
-void BilateralGrid::spread(ImageView<const float> values, int threads) {
-    std::vector<int> first_row = {0};
-    for (int y = 1; y < values.height(); ++y) {
-        const auto here = static_cast<std::size_t>(y);
-        const bool same = down_.before[here] == down_.before[here - 1] && down_.after[here] == down_.after[here - 1];
-        if (!same) first_row.push_back(y);
-    }
-    const int bands = static_cast<int>(first_row.size());
-    first_row.push_back(values.height());
-    std::vector<std::vector<float>> sums(static_cast<std::size_t>(bands));
-    parallel_for(0, bands, threads, [&](int number) {
-        const auto band = static_cast<std::size_t>(number);
-        sums[band].resize(2 * row_size());
-        for (int y = first_row[band]; y < first_row[band + 1]; ++y) {
-            float* const before = sums[band].data();
-            spread_row(values.row(y), down_.fraction[static_cast<std::size_t>(y)], before, before + row_size());
+/// The levels are blurred by two steps, less what spreading and reading blur: twice the mean of f (1 - f) for f in
+/// [0, 1].
+BilateralGrid::BilateralGrid(ImageView<float> luminance, double sigma_px, double sigma_octaves, int threads)
+    : across_(make_axis(luminance.width(), sigma_px)),
+      down_(make_axis(luminance.height(), sigma_px)),
+      level_kernel_(sampled_gaussian(4.0 - 1.0 / 3.0, 8)) {
+    const PositiveRange range = range_of(luminance, threads);
+    levels_ = levels_of(range, sigma_octaves);
+    place_columns();
+    place_bands();
+    parallel_for(0, static_cast<int>(bands_.size()), threads,
+                 [&](int band) { spread(luminance, range.least, bands_[static_cast<std::size_t>(band)]); });
+    // In the order of bands, whichever was ready first.
+    sums_.resize(row_size() * static_cast<std::size_t>(down_.nodes));
+    parallel_for(0, down_.nodes, threads, [&](int node) {
+        const std::span<float> to = std::span(sums_).subspan(row_size() * static_cast<std::size_t>(node), row_size());
+        for (const Band& band : bands_) {
+            const auto y = static_cast<std::size_t>(band.begin);
+            const auto add = [&](const float* from) {
+                std::transform(to.begin(), to.end(), from, to.begin(), std::plus());
+            };
+            if (down_.before[y] == node) add(band.sums.data());
+            if (down_.after[y] == node) add(band.sums.data() + row_size());
         }
     });
-    sums_.resize(row_size() * static_cast<std::size_t>(down_.nodes));
-    for (std::size_t band = 0; band < sums.size(); ++band) {
-        const auto y = static_cast<std::size_t>(first_row[band]);
-        const auto add = [&](int node, std::size_t begin) {
-            float* const to = sums_.data() + row_size() * static_cast<std::size_t>(node);
-            for (std::size_t i = 0; i < row_size(); ++i) to[i] += sums[band][begin + i];
-        };
-        add(down_.before[y], 0);
-        add(down_.after[y], row_size());
+    for (Band& band : bands_) band.sums = {};
+}
+
+void BilateralGrid::place_columns() {
+    for (std::size_t x = 0; x < across_.fraction.size(); ++x) {
+        const bool is_same =
+            x > 0 && across_.before[x] == across_.before[x - 1] && across_.after[x] == across_.after[x - 1];
+        if (!is_same) first_column_.push_back(x);
+        const std::size_t cell = first_column_.size() - 1, copy = x % kCellCopies;
+        cell_offset_.push_back(static_cast<std::uint32_t>(cell_size() * cell + kCellSums * levels_.count * copy));
+        left_.push_back(static_cast<std::uint32_t>(node_size() * static_cast<std::size_t>(across_.before[x])));
+        right_.push_back(static_cast<std::uint32_t>(node_size() * static_cast<std::size_t>(across_.after[x])));
+        const float right = across_.fraction[x], left = 1.0f - right;
+        shares_.insert(shares_.end(), {left, left, right, right});
     }
 }
 
-void BilateralGrid::spread_row(std::span<const float> values, float down, float* before, float* after) const noexcept {
-    for (std::size_t x = 0; x < values.size(); ++x) {
-        const float value = (values[x] - least_) / step_;
-        const auto level = static_cast<std::size_t>(value);
-        const float up = value - static_cast<float>(level), across = across_.fraction[x];
-        const std::array<float, 2 * kSums> sums = {1.0f - up, (1.0f - up) * value, up, up * value};
-        const std::size_t left = static_cast<std::size_t>(across_.before[x]) * node_size() + kSums * level;
-        const std::size_t right = static_cast<std::size_t>(across_.after[x]) * node_size() + kSums * level;
-        const auto add = [&](float* to, float weight) {
-            for (std::size_t i = 0; i < sums.size(); ++i) to[i] += weight * sums[i];
-        };
-        add(before + left, (1.0f - down) * (1.0f - across));
-        add(before + right, (1.0f - down) * across);
-        add(after + left, down * (1.0f - across));
-        add(after + right, down * across);
+void BilateralGrid::place_bands() {
+    const auto height = static_cast<int>(down_.fraction.size());
+    for (int y = 0; y < height; ++y) {
+        const auto here = static_cast<std::size_t>(y);
+        const bool is_same =
+            y > 0 && down_.before[here] == down_.before[here - 1] && down_.after[here] == down_.after[here - 1];
+        if (is_same) {
+            bands_.back().end = y + 1;
+        } else {
+            bands_.push_back({y, y + 1, {}});
+        }
+    }
+}
+
+void BilateralGrid::spread(ImageView<float> luminance, float least, Band& band) const {
+    std::vector<float> cells(cell_size() * first_column_.size());
+    for (int y = band.begin; y < band.end; ++y) {
+        log2_row(least, luminance.row(y));
+        spread_row(levels_, columns(), down_.fraction[static_cast<std::size_t>(y)], luminance.row(y), cells.data());
+    }
+    band.sums.resize(2 * row_size());
+    for (std::size_t cell = 0; cell < first_column_.size(); ++cell) {
+        gather(cell, cells.data() + cell_size() * cell, band.sums.data(), band.sums.data() + row_size());
+    }
+}
+
+/// Adds a cell's sums to those of its nodes in the rows above and below.
+void BilateralGrid::gather(std::size_t cell, const float* sums, float* above, float* below) const noexcept {
+    const std::size_t left = left_[first_column_[cell]], right = right_[first_column_[cell]];
+    for (std::size_t level = 0; level < levels_.count; ++level) {
+        std::array<float, kCellSums> all{};
+        for (std::size_t copy = 0; copy < kCellCopies; ++copy) {
+            const float* const from = sums + kCellSums * (levels_.count * copy + level);
+            for (std::size_t i = 0; i < kCellSums; ++i) all[i] += from[i];
+        }
+        for (std::size_t i = 0; i < kGridSums; ++i) {
+            above[left + kGridSums * level + i] += all[i];
+            above[right + kGridSums * level + i] += all[kGridSums + i];
+            below[left + kGridSums * level + i] += all[2 * kGridSums + i];
+            below[right + kGridSums * level + i] += all[3 * kGridSums + i];
+        }
     }
 }
 
@@ -192,43 +233,36 @@ void BilateralGrid::blur_row(int y, std::vector<float>& blurred) const {
     }
 
     // From level to level; there is nothing beyond the first and the last
-    const std::size_t margin = kSums * (level_kernel_.size() - 1);
+    const std::size_t margin = kGridSums * (level_kernel_.size() - 1);
     std::vector<float> levels(node_size() + 2 * margin);
     float* const out = blurred.data() + row_size() * static_cast<std::size_t>(y);
     taps.clear();
-    for (std::size_t j = 0; j <= 2 * (level_kernel_.size() - 1); ++j) taps.push_back(levels.data() + kSums * j);
+    for (std::size_t j = 0; j <= 2 * (level_kernel_.size() - 1); ++j) taps.push_back(levels.data() + kGridSums * j);
     for (std::size_t x = 0; x < static_cast<std::size_t>(across_.nodes); ++x) {
         std::copy_n(along.data() + node_size() * x, node_size(), levels.data() + margin);
         convolve(level_kernel_, taps, {out + node_size() * x, node_size()});
     }
 }
 
-void BilateralGrid::read_row(int y, std::span<float> values) const noexcept {
-    const auto at = static_cast<std::size_t>(y);
-    const float *const before = row(down_.before[at]), *const after = row(down_.after[at]);
-    const float down = down_.fraction[at];
-    for (std::size_t x = 0; x < values.size(); ++x) {
-        const float value = (values[x] - least_) / step_;
-        const auto level = static_cast<std::size_t>(value);
-        const float up = value - static_cast<float>(level), across = across_.fraction[x];
-        const std::size_t left = static_cast<std::size_t>(across_.before[x]) * node_size() + kSums * level;
-        const std::size_t right = static_cast<std::size_t>(across_.after[x]) * node_size() + kSums * level;
-        std::array<float, 2 * kSums> sums{};
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            sums[i] = (1.0f - down) * ((1.0f - across) * before[left + i] + across * before[right + i]) +
-                      down * ((1.0f - across) * after[left + i] + across * after[right + i]);
+void BilateralGrid::read(ImageView<float> logarithms, int threads) const {
+    parallel_for(0, static_cast<int>(bands_.size()), threads, [&](int number) {
+        const Band& band = bands_[static_cast<std::size_t>(number)];
+        std::vector<float> nodes(row_size());
+        for (int y = band.begin; y < band.end; ++y) {
+            const auto at = static_cast<std::size_t>(y);
+            const float after = down_.fraction[at];
+            add_rows(std::array{1.0f - after, after}, std::array{row(down_.before[at]), row(down_.after[at])}, nodes);
+            read_row(levels_, columns(), nodes.data(), logarithms.row(y));
         }
-        const float weight = (1.0f - up) * sums[0] + up * sums[2], sum = (1.0f - up) * sums[1] + up * sums[3];
-        values[x] = least_ + step_ * (sum / weight);
-    }
+    });
 }
 
 }  // namespace
 
-void bilateral_filter(ImageView<float> values, double sigma_px, double sigma_value, int threads) {
-    BilateralGrid grid(values, sigma_px, sigma_value, threads);
+void bilateral_filter(ImageView<float> luminance, double sigma_px, double sigma_octaves, int threads) {
+    BilateralGrid grid(luminance, sigma_px, sigma_octaves, threads);
     grid.blur(threads);
-    parallel_for_rows(values.width(), values.height(), threads, [&](int y) { grid.read_row(y, values.row(y)); });
+    grid.read(luminance, threads);
 }
 
 }  // namespace emulsion

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tonemap/scale_selection.h"
 
@@ -24,9 +25,8 @@ ScaleSelection selection_of(const CentreSurroundAdaptation& adaptation) {
 
 }  // namespace
 
-Image<float> local_luminance(const CentreSurroundAdaptation& adaptation, const Image<float>& relative_luminance,
-                             int threads) {
-    return select_scales(selection_of(adaptation), relative_luminance, threads);
+Image<float> local_luminance(const CentreSurroundAdaptation& adaptation, Image<float> relative_luminance, int threads) {
+    return select_scales(selection_of(adaptation), std::move(relative_luminance), threads);
 }
 
 Image<double> local_luminance_reference(const CentreSurroundAdaptation& adaptation,

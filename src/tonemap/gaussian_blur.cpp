@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "core/parallel.h"
+#include "core/row_blocks.h"
+#include "tonemap/axis_halving.h"
+#include "tonemap/change_rows.h"
 #include "tonemap/gaussian_rows.h"
 #include "tonemap/half_size.h"
 
@@ -15,44 +18,50 @@ namespace emulsion {
 
 namespace {
 
-constexpr int kBand = 32;       // rows on one thread
-constexpr double kTail = 1e-4;  // bright lights spread as far as they are seen
-
-template <class Band>
-void for_each_band(int height, int threads, const Band& body) {
-    parallel_for(0, (height + kBand - 1) / kBand, threads,
-                 [&](int band) { body(band * kBand, std::min(height, (band + 1) * kBand)); });
-}
-
-Image<float> blur_directly(const Image<float>& source, double sigma_px, int threads) {
-    Image<float> blurred(source.width(), source.height());
-    for_each_band(source.height(), threads, [&](int begin, int end) {
-        GaussianRows rows(source.view(), std::array{sigma_px}, kTail);
-        for (int y = begin; y < end; ++y) {
-            rows.compute(y);
-            std::copy(rows.row(0).begin(), rows.row(0).end(), blurred.row(y).begin());
-        }
+Image<float> blur_directly(Image<float> picture, const GaussianSigma& sigma, int threads) {
+    constexpr double kTail = 1e-4;  // bright lights spread as far as they are seen
+    const int width = picture.width(), radius = GaussianRows(1, std::array{sigma}, kTail).radius();
+    change_rows(picture, radius, threads, [&] {
+        return [&picture, blurred = GaussianRows(width, std::array{sigma}, kTail)](
+                   int y, std::span<const float* const> rows) mutable {
+            blurred.compute(rows);
+            std::copy(blurred.row(0).begin(), blurred.row(0).end(), picture.row(y).begin());
+        };
     });
-    return blurred;
+    return picture;
 }
 
-Image<float> double_size(const Image<float>& half, int width, int height, int threads) {
-    Image<float> whole(width, height);
-    for_each_band(height, threads, [&](int begin, int end) {
+void double_size(const Image<float>& half, const AxisHalving& x, const AxisHalving& y, Image<float>& whole,
+                 int threads) {
+    parallel_for_rows(whole.width(), whole.height(), threads, [&](int row) {
         std::vector<float> scratch(static_cast<std::size_t>(half.width()) + 2);
-        for (int y = begin; y < end; ++y) double_row(half.view(), y, scratch, whole.row(y));
+        double_size_row(half, x, y, row, scratch, whole.row(row));
     });
-    return whole;
+}
+
+/// Whether there is enough left to blur at a level for what going there and back looks like not to show.
+bool fits(const LevelAxis& axis, double sigma_px) noexcept {
+    return axis.halving.size() == 1 || axis.remaining_variance(sigma_px) >= 1.0;
+}
+
+Image<float> blur_at(const LevelAxis& x, const LevelAxis& y, Image<float> picture, double sigma_px, int threads) {
+    const LevelAxis half_x = x.next(), half_y = y.next();
+    const bool is_dot = picture.pixels().size() == 1;
+    if (is_dot || !fits(half_x, sigma_px) || !fits(half_y, sigma_px)) {
+        const auto sigma = [&](const LevelAxis& axis) { return std::sqrt(axis.remaining_variance(sigma_px)); };
+        return blur_directly(std::move(picture), {sigma(x), sigma(y)}, threads);
+    }
+    const Image<float> half =
+        blur_at(half_x, half_y, half_size(picture, x.halving, y.halving, threads), sigma_px, threads);
+    double_size(half, x.halving, y.halving, picture, threads);
+    return picture;
 }
 
 }  // namespace
 
-Image<float> gaussian_blur(const Image<float>& source, double sigma_px, int threads) {
-    // Making the picture smaller and larger again blurs, too; at least one squared pixel of variance is left to do.
-    const double half_variance = 0.25 * sigma_px * sigma_px - kHalfSizeVariance - kDoubleSizeVariance;
-    if (half_variance < 1.0) return blur_directly(source, sigma_px, threads);
-    const Image<float> half = gaussian_blur(half_size(source.view(), threads), std::sqrt(half_variance), threads);
-    return double_size(half, source.width(), source.height(), threads);
+Image<float> gaussian_blur(Image<float> picture, double sigma_px, int threads) {
+    const LevelAxis x(picture.width()), y(picture.height());
+    return blur_at(x, y, std::move(picture), sigma_px, threads);
 }
 
 }  // namespace emulsion

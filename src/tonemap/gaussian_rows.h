@@ -10,35 +10,39 @@
 
 namespace emulsion {
 
-/// Rows of `source` blurred by each of some Gaussians, in single precision; mirrored_border.h at the edges. Every row
-/// is computed from the source alone, so that its bits do not depend on which rows came before. One thread each.
+/// Standard deviations along both axes, in pixels; >= 0.
+struct GaussianSigma {
+    double x_px = 0.0, y_px = 0.0;
+};
+
+/// Rows of a picture blurred by each of some Gaussians, in single precision; mirrored_border.h at the edges. One thread
+/// each.
 class GaussianRows {
   public:
-    /// \param sigma_px standard deviations in pixels, >= 0 \param tail share of each Gaussian that is left out, in (0,
-    /// 1) `source` must outlive this.
-    GaussianRows(ImageView<const float> source, std::span<const double> sigma_px, double tail);
+    /// \param width of the picture, >= 1 \param tail share of each Gaussian that is left out, in (0, 1)
+    GaussianRows(int width, std::span<const GaussianSigma> sigmas, double tail);
 
-    /// Blurs row `y`.
-    void compute(int y);
+    /// How many rows above and below a row it takes to blur it.
+    [[nodiscard]] int radius() const noexcept { return radius_; }
 
-    /// The row computed last, blurred by the Gaussian number `i`; its width is the source's.
+    /// Blurs the row in the middle of 2 radius() + 1 rows of the picture.
+    void compute(std::span<const float* const> rows);
+
+    /// The row computed last, blurred by the Gaussian number `i`.
     [[nodiscard]] std::span<const float> row(std::size_t i) const noexcept { return levels_[i].blurred; }
 
   private:
+    /// Kernels are those of offsets 0 .. radius.
     struct Level {
-        std::vector<float> kernel;   ///< of offsets 0 .. radius
-        std::vector<float> columns;  ///< blurred from row to row: `radius` pixels more at each end
+        std::vector<float> across, down;
+        std::vector<float> columns;  ///< blurred from row to row: the radius of `across` more at each end
         std::vector<float> blurred;  ///< and along the row
-        [[nodiscard]] int radius() const noexcept { return static_cast<int>(kernel.size()) - 1; }
-        [[nodiscard]] std::span<const float* const> taps(std::span<const float* const> enough) const noexcept {
-            return enough.first(2 * kernel.size() - 1);
-        }
     };
 
-    void blur_columns(Level& level, int y, int x0, int x1);
+    void blur_columns(Level& level, std::span<const float* const> rows, int x0, int x1);
     void blur_along(Level& level);
 
-    ImageView<const float> source_;
+    int width_, radius_ = 0;
     std::vector<Level> levels_;
     std::vector<const float*> taps_;
 };

@@ -1,54 +1,65 @@
 #include "tonemap/half_size.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/row_blocks.h"
-#include "tonemap/mirrored_border.h"
+#include "tonemap/neighbourhood_rows.h"
 
 namespace emulsion {
 
 namespace {
 
-void half_row(ImageView<const float> source, int y, std::span<float> half) {
-    const int width = source.width();
-    const auto row = [&](int offset) { return source.row(mirrored(2 * y + offset, source.height())).data(); };
-    const float *a = row(-1), *b = row(0), *c = row(1), *d = row(2);
-    // One pixel more before the row, two more behind it.
-    std::vector<float> columns(static_cast<std::size_t>(width) + 3);
-    float* const first = columns.data() + 1;
-    for (int x = 0; x < width; ++x) first[x] = (a[x] + d[x]) + 3.0f * (b[x] + c[x]);
-    first[-1] = first[0];
-    first[width] = first[mirrored(width, width)];
-    first[width + 1] = first[mirrored(width + 1, width)];
-    for (std::size_t x = 0; x < half.size(); ++x) {
-        const float* const at = columns.data() + 2 * x;
-        half[x] = 0x1p-6f * ((at[0] + at[3]) + 3.0f * (at[1] + at[2]));
+/// The rows that `taps` are about, weighted.
+void add_taps(const Image<float>& picture, const AxisHalving::Taps& taps, std::span<float> out) {
+    const auto count = static_cast<std::size_t>(taps.count);
+    std::array<const float*, std::tuple_size_v<decltype(taps.weights)>> rows{};
+    for (std::size_t k = 0; k < count; ++k) rows[k] = picture.row(taps.first + static_cast<int>(k)).data();
+    add_rows(std::span(taps.weights).first(count), std::span(rows).first(count), out);
+}
+
+float mean_of(const AxisHalving::Taps& taps, const float* row) noexcept {
+    float mean = 0.0f;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(taps.count); ++k) {
+        mean += taps.weights[k] * row[static_cast<std::size_t>(taps.first) + k];
     }
+    return mean;
+}
+
+/// `padded` has one value before the row and one behind it, which are mirrored at the edges.
+void mirror_ends(std::span<float> padded) noexcept {
+    padded.front() = padded[1];
+    padded.back() = padded[padded.size() - 2];
 }
 
 }  // namespace
 
-Image<float> half_size(ImageView<const float> source, int threads) {
-    Image<float> half((source.width() + 1) / 2, (source.height() + 1) / 2);
-    parallel_for_rows(source.width(), half.height(), threads, [&](int y) { half_row(source, y, half.row(y)); });
+Image<float> half_size(const Image<float>& picture, const AxisHalving& x, const AxisHalving& y, int threads) {
+    Image<float> half(x.half_size(), y.half_size());
+    parallel_for_rows(picture.width(), half.height(), threads, [&](int j) {
+        std::vector<float> padded(static_cast<std::size_t>(x.size()) + 2);
+        add_taps(picture, y.down(j), std::span(padded).subspan(1, padded.size() - 2));
+        if (x.size() % 2 == 0) {
+            mirror_ends(padded);
+            halve_row(padded.data() + 1, half.row(j));
+        } else {
+            for (int i = 0; i < half.width(); ++i) half(i, j) = mean_of(x.down(i), padded.data() + 1);
+        }
+    });
     return half;
 }
 
-void double_row(ImageView<const float> half, int y, std::span<float> scratch, std::span<float> row) noexcept {
-    const int width = half.width(), near = y / 2;
-    const float* const nearer = half.row(near).data();
-    const float* const farther = half.row(mirrored(y % 2 == 0 ? near - 1 : near + 1, half.height())).data();
-    float* const first = scratch.data() + 1;
-    for (int x = 0; x < width; ++x) first[x] = 0.75f * nearer[x] + 0.25f * farther[x];
-    first[-1] = first[0];
-    first[width] = first[width - 1];
-    const std::size_t pairs = row.size() / 2;
-    for (std::size_t x = 0; x < pairs; ++x) {
-        row[2 * x] = 0.75f * first[x] + 0.25f * scratch[x];
-        row[2 * x + 1] = 0.75f * first[x] + 0.25f * first[x + 1];
+void double_size_row(const Image<float>& half, const AxisHalving& x, const AxisHalving& y, int row,
+                     std::span<float> scratch, std::span<float> out) {
+    const std::span<float> padded = scratch.first(static_cast<std::size_t>(half.width()) + 2);
+    add_taps(half, y.up(row), padded.subspan(1, padded.size() - 2));
+    if (x.size() % 2 == 0) {
+        mirror_ends(padded);
+        double_row(padded.data() + 1, out);
+    } else {
+        for (int i = 0; i < x.size(); ++i) out[static_cast<std::size_t>(i)] = mean_of(x.up(i), padded.data() + 1);
     }
-    if (row.size() % 2 == 1) row[2 * pairs] = 0.75f * first[pairs] + 0.25f * scratch[pairs];
 }
 
 }  // namespace emulsion

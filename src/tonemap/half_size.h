@@ -1,24 +1,21 @@
 #pragma once
-// Pictures of half the size, and back: where wide neighbourhoods are looked at. A pixel of the half lies in the middle
-// of four pixels of the whole; of an odd size the half is rounded up. mirrored_border.h at the edges.
+// Pictures of half the size, and back: where wide neighbourhoods are looked at. AxisHalving says how; where sizes are
+// even, as most are, in vectors. The same bits for every number of threads.
 
 #include <span>
 
 #include "core/image.h"
+#include "tonemap/axis_halving.h"
 
 namespace emulsion {
 
-/// Variance that half_size() adds, in squared pixels of the half: of the weights 1 3 3 1.
-inline constexpr double kHalfSizeVariance = 0.1875;
-/// Variance that double_row() adds, in squared pixels of the half: of the weights 3 1, the same for all pixels.
-inline constexpr double kDoubleSizeVariance = 0.1875;
+/// `picture` halved along both axes. Threads as in parallel_for. \throws std::invalid_argument if threads < 0.
+[[nodiscard]] Image<float> half_size(const Image<float>& picture, const AxisHalving& x, const AxisHalving& y,
+                                     int threads);
 
-/// Weighted by 1 3 3 1 in x and y. The same bits for every number of threads (0: all).
-/// \throws std::invalid_argument if threads < 0.
-[[nodiscard]] Image<float> half_size(ImageView<const float> source, int threads);
-
-/// Row `y` of the whole, between whose pixels those of `half` lie, by linear interpolation.
+/// Row `y` of what `half`, which has the halved sizes of both axes, comes to at their full size.
 /// \param scratch half.width() + 2 values; what is in them does not matter
-void double_row(ImageView<const float> half, int y, std::span<float> scratch, std::span<float> row) noexcept;
+void double_size_row(const Image<float>& half, const AxisHalving& x, const AxisHalving& y, int row,
+                     std::span<float> scratch, std::span<float> out);
 
 }  // namespace emulsion

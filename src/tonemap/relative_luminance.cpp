@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/row_blocks.h"
+#include "tonemap/neighbourhood_rows.h"
 
 namespace emulsion {
 
@@ -20,21 +21,62 @@ bool is_good(const XYZ& pixel, double least_outlier) noexcept {
     return pixel_class == PixelClass::zero || (pixel_class == PixelClass::positive && pixel.y < least_outlier);
 }
 
-/// What stands for the pixel at x, y, in cd/m^2; 0 or more.
-double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, double otherwise) noexcept {
-    constexpr int kMostRadius = 4;
-    std::array<float, (2 * kMostRadius + 1) * (2 * kMostRadius + 1)> good{};
-    for (int radius = 1; radius <= kMostRadius; ++radius) {
-        std::size_t count = 0;
-        for (int v = std::max(0, y - radius); v <= std::min(scene.height() - 1, y + radius); ++v) {
-            for (int u = std::max(0, x - radius); u <= std::min(scene.width() - 1, x + radius); ++u) {
-                if (is_good(scene(u, v), least_outlier)) good[count++] = scene(u, v).y;
+/// Between the two values in the middle, in logarithms; `values` are some, >= 0.
+double log_median(std::span<double> values) noexcept {
+    std::sort(values.begin(), values.end());
+    return std::sqrt(values[(values.size() - 1) / 2] * values[values.size() / 2]);
+}
+
+/// Good luminances in the square about a pixel, without the pixel.
+class Surround {
+  public:
+    Surround(ImageView<const XYZ> scene, double least_outlier) noexcept
+        : scene_(scene), least_outlier_(least_outlier) {}
+
+    void look_about(int x, int y, int radius) noexcept {
+        pair_count_ = single_count_ = 0;
+        for (int v = 0; v <= radius; ++v) {
+            for (int u = v == 0 ? 1 : -radius; u <= radius; ++u) {
+                const double one = good_or_nan(x + u, y + v), other = good_or_nan(x - u, y - v);
+                if (!std::isnan(one + other)) {
+                    pairs_[pair_count_++] = one;
+                    pairs_[pair_count_++] = other;
+                } else if (!std::isnan(one) || !std::isnan(other)) {
+                    singles_[single_count_++] = std::isnan(one) ? other : one;
+                }
             }
         }
-        if (count == 0) continue;
-        const auto begin = good.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
-        std::sort(begin, end);
-        return 0.5 * (double{good[(count - 1) / 2]} + double{good[count / 2]});
+    }
+
+    /// Those that lie opposite each other: where luminance rises or falls evenly, the pixel is in the middle of them.
+    [[nodiscard]] std::span<double> pairs() noexcept { return std::span(pairs_).first(pair_count_); }
+    /// The others.
+    [[nodiscard]] std::span<double> singles() noexcept { return std::span(singles_).first(single_count_); }
+
+    static constexpr int kMostRadius = 4;
+
+  private:
+    [[nodiscard]] double good_or_nan(int x, int y) const noexcept {
+        const bool inside = x >= 0 && x < scene_.width() && y >= 0 && y < scene_.height();
+        if (!inside || !is_good(scene_(x, y), least_outlier_)) return std::numeric_limits<double>::quiet_NaN();
+        return scene_(x, y).y;
+    }
+
+    static constexpr std::size_t kMost = (2 * kMostRadius + 1) * (2 * kMostRadius + 1) - 1;
+    ImageView<const XYZ> scene_;
+    double least_outlier_;
+    std::array<double, kMost> pairs_{};
+    std::array<double, kMost / 2> singles_{};
+    std::size_t pair_count_ = 0, single_count_ = 0;
+};
+
+/// What stands for the pixel at x, y, in cd/m^2; 0 or more.
+double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, double otherwise) noexcept {
+    Surround surround(scene, least_outlier);
+    for (int radius = 1; radius <= Surround::kMostRadius; ++radius) {
+        surround.look_about(x, y, radius);
+        if (!surround.pairs().empty()) return log_median(surround.pairs());
+        if (!surround.singles().empty()) return log_median(surround.singles());
     }
     return otherwise;
 }
@@ -42,10 +84,9 @@ double stand_in(ImageView<const XYZ> scene, int x, int y, double least_outlier, 
 /// Stands in the result for a pixel that is not good, until it is replaced.
 constexpr float kMissing = -1.0f;
 
-/// A row without the branches of classify(), so that it is worked on several pixels at a time. \return whether any is
-/// missing
+/// \return whether any is missing
 template <class T>
-bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
+bool exact_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
     constexpr float kLargestFloat = std::numeric_limits<float>::max();
     bool any_missing = false;
     for (std::size_t x = 0; x < in.size(); ++x) {
@@ -59,6 +100,18 @@ bool relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier
     return any_missing;
 }
 
+/// In single precision where it reaches.
+bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<float> out) {
+    if (per_cdm2 < 0x1p-100 || per_cdm2 > 0x1p100) return exact_relative_row(in, per_cdm2, least_outlier, out);
+    constexpr double kInfinity = std::numeric_limits<float>::infinity();
+    return relative_row(in, static_cast<float>(per_cdm2), static_cast<float>(std::min(least_outlier, kInfinity)),
+                        kLargest, out);
+}
+bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier,
+                         std::span<double> out) noexcept {
+    return exact_relative_row(in, per_cdm2, least_outlier, out);
+}
+
 }  // namespace
 
 double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
@@ -69,7 +122,7 @@ Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& lu
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<T> out = result.row(y);
-        if (!relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
+        if (!narrow_relative_row(scene.row(y), 1.0 / unit, least_outlier, out)) return;
         for (std::size_t x = 0; x < out.size(); ++x) {
             if (out[x] != T(kMissing)) continue;
             const double instead = stand_in(scene, static_cast<int>(x), y, least_outlier, unit);

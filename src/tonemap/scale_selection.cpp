@@ -1,15 +1,17 @@
 #include "tonemap/scale_selection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
 
-#include "core/parallel.h"
+#include "tonemap/axis_halving.h"
+#include "tonemap/change_rows.h"
 #include "tonemap/gaussian_rows.h"
 #include "tonemap/half_size.h"
-#include "tonemap/wide_vectors.h"
+#include "tonemap/neighbourhood_rows.h"
 
 namespace emulsion {
 
@@ -18,153 +20,163 @@ namespace {
 /// Keeps 0 / 0 away; far below any luminance that is told from black.
 constexpr double kLeastFloor = 1e-36;
 
-/// 1 where a scale is accepted, 0 where it is not. T: double, float, or a vector of floats.
-template <class T>
-EMULSION_INLINE inline void accept(const T& centre, const T& surround, const T& floor, const T& limit,
-                                   T& acceptance) noexcept {
-    const T difference = centre < surround ? surround - centre : centre - surround;
-    const T left = T{} + 1.5f - difference / (limit * (floor + centre));
-    const T positive = left > 0.0f ? left : T{};
-    acceptance = positive < 1.0f ? positive : T{} + 1.0f;
+/// 1 where a scale is accepted, 0 where it is not.
+double accept(double centre, double surround, double floor, double limit) noexcept {
+    return std::clamp(1.5 - std::abs(centre - surround) / (limit * (floor + centre)), 0.0, 1.0);
 }
 
 /// Scales that are looked at in the picture of one size.
 struct Octave {
+    LevelAxis x, y;
     std::size_t first_scale = 0, end_scale = 0;
-    std::vector<double> sigma_px;  ///< blurs, in its pixels: B of first_level() to end_scale
+    std::vector<GaussianSigma> sigmas = {};  ///< blurs, in its pixels: B of first_level() and following ones
+
     /// Whose B is taken if the first scale is not accepted; of the very first, the first that there is.
     [[nodiscard]] std::size_t first_level() const noexcept { return first_scale == 0 ? 0 : first_scale - 1; }
 };
 
-/// The variance of a pixel, which gaussian_kernel() adds to that of its Gaussian.
-constexpr double kPixelVariance = 1.0 / 12.0;
-
-/// The pictures in which scales are looked at: their pixels' area, and the variance that they have from being made
-/// smaller, in their pixels squared.
-struct PictureSize {
-    double pixel_area = 1.0, own_variance = 0.0;
-
-    [[nodiscard]] PictureSize half() const noexcept {
-        return {4.0 * pixel_area, 0.25 * own_variance + kHalfSizeVariance};
-    }
-    /// Of the Gaussian that is left to blur by for an average of `sigma_px` pixels of the whole size.
-    [[nodiscard]] double remaining_variance(double sigma_px) const noexcept {
-        return (sigma_px * sigma_px + kPixelVariance) / pixel_area - own_variance - kPixelVariance;
-    }
-};
-
-/// From the whole size on down. A scale is looked at in the smallest picture that is not yet blurred more than the
-/// narrowest average that the scale needs.
-std::vector<Octave> octaves_of(const ScaleSelection& selection) {
+/// Whether a picture is not yet blurred more than it is to be.
+bool fits(const LevelAxis& axis, double sigma_px) noexcept {
     constexpr double kLeastVariance = 0.3;
+    return axis.halving.size() == 1 || axis.remaining_variance(sigma_px) >= kLeastVariance;
+}
+
+GaussianSigma remaining_sigma(const Octave& octave, double sigma_px) noexcept {
+    const auto remaining = [&](const LevelAxis& axis) {
+        return std::sqrt(std::max(axis.remaining_variance(sigma_px), 0.0));
+    };
+    return {remaining(octave.x), remaining(octave.y)};
+}
+
+/// From the whole size on down. A scale is looked at in the smallest picture in which the narrowest average that the
+/// scale needs fits. The two widest averages of each octave come from the next, which needs them, too.
+std::vector<Octave> octaves_of(const ScaleSelection& selection, int width, int height) {
     const std::size_t scales = selection.floor.size();
-    std::vector<Octave> octaves;
-    PictureSize size;
-    for (std::size_t scale = 0; scale < scales; size = size.half()) {
-        Octave octave{scale, scale, {}};
+    std::vector<Octave> octaves = {{LevelAxis(width), LevelAxis(height)}};
+    while (true) {
+        Octave& octave = octaves.back();
+        const Octave half{octave.x.next(), octave.y.next()};
+        const bool is_dot = octave.x.halving.size() == 1 && octave.y.halving.size() == 1;
         const auto fits_half = [&] {
-            const double narrowest = octave.end_scale == 0 ? 0.0 : selection.sigma_px[octave.end_scale - 1];
-            return size.half().remaining_variance(narrowest) >= kLeastVariance;
+            if (octave.end_scale == 0 || is_dot) return false;
+            const double narrowest = selection.sigma_px[octave.end_scale - 1];
+            return fits(half.x, narrowest) && fits(half.y, narrowest);
         };
         while (octave.end_scale < scales && !fits_half()) ++octave.end_scale;
-        for (std::size_t level = octave.first_level(); scale < octave.end_scale && level <= octave.end_scale; ++level) {
-            octave.sigma_px.push_back(std::sqrt(std::max(size.remaining_variance(selection.sigma_px[level]), 0.0)));
+        const bool is_last = octave.end_scale == scales;
+        const std::size_t end_level = is_last ? scales + 1 : octave.end_scale - 1;
+        for (std::size_t level = octave.first_level(); level < end_level; ++level) {
+            octave.sigmas.push_back(remaining_sigma(octave, selection.sigma_px[level]));
         }
-        scale = octave.end_scale;
-        octaves.push_back(std::move(octave));
+        if (is_last) return octaves;
+        const std::size_t end_scale = octave.end_scale;
+        octaves.push_back(half);
+        octaves.back().first_scale = octaves.back().end_scale = end_scale;
     }
-    return octaves;
 }
 
-/// The rows that one scale is decided by.
-struct ScaleRows {
-    const float *before, *centre, *surround;
-    float floor, limit;
+/// What comes of an octave and all smaller ones: the averages that were chosen, and those of its first two levels.
+struct Selected {
+    Image<float> chosen;
+    std::array<Image<float>, 2> levels;
 };
 
-/// What comes of a scale, from what comes of accepting it, in `chosen`.
-template <class T>
-EMULSION_INLINE inline void decide(const T& before, const T& centre, const T& surround, const ScaleRows& scale,
-                                   T& chosen) noexcept {
-    T acceptance;
-    accept<T>(centre, surround, T{} + scale.floor, T{} + scale.limit, acceptance);
-    chosen = acceptance * chosen + (1.0f - acceptance) * before;
-}
+/// One band of rows of an octave.
+class OctaveRows {
+  public:
+    /// \param smaller of the next octave, if there is one \param result where the first two levels go, unless empty
+    OctaveRows(const ScaleSelection& selection, const Octave& octave, const Selected& smaller, Selected& result)
+        : selection_(selection),
+          octave_(octave),
+          smaller_(smaller),
+          result_(result),
+          blurred_(octave.x.halving.size(), octave.sigmas, kTail),
+          wide_(smaller.chosen.width() == 0 ? Image<float>() : Image<float>(octave.x.halving.size(), 2)),
+          scratch_(static_cast<std::size_t>(octave.x.halving.half_size()) + 2) {}
 
-/// `scales` from the widest on; `row` has what comes of accepting all of them.
-void decide_row(std::span<const ScaleRows> scales, std::span<float> row) noexcept {
-    with_wide_vectors([=]() EMULSION_INLINE {
-        std::size_t x = 0;
-        for (; x + kLanes <= row.size(); x += kLanes) {
-            Floats chosen, before, centre, surround;
-            load(chosen, &row[x]);
-            for (const ScaleRows& scale : scales) {
-                load(before, scale.before + x);
-                load(centre, scale.centre + x);
-                load(surround, scale.surround + x);
-                decide<Floats>(before, centre, surround, scale, chosen);
-            }
-            store(&row[x], chosen);
-        }
-        for (; x < row.size(); ++x) {
-            for (const ScaleRows& scale : scales) {
-                decide<float>(scale.before[x], scale.centre[x], scale.surround[x], scale, row[x]);
-            }
-        }
-    });
-}
+    static constexpr double kTail = 1e-3;  // a smaller one brings no result closer to the twin's
 
-/// One row of an octave. `row` has what comes of accepting all its scales, unless there are no wider ones.
-void select_in_row(const ScaleSelection& selection, const Octave& octave, std::span<const float> picture,
-                   const GaussianRows& blurred, std::span<float> row) {
-    const auto level = [&](std::size_t number) { return blurred.row(number - octave.first_level()).data(); };
-    const bool is_last = octave.end_scale == selection.floor.size();
-    if (is_last) std::copy_n(level(octave.end_scale - 1), row.size(), row.begin());
-    std::vector<ScaleRows> scales;
-    for (std::size_t scale = octave.end_scale; scale-- > octave.first_scale;) {
-        scales.push_back({scale == 0 ? picture.data() : level(scale - 1), level(scale), level(scale + 1),
-                          static_cast<float>(selection.floor[scale] + kLeastFloor),
-                          static_cast<float>(selection.limit)});
+    /// \param rows of the picture about row y, which becomes what is chosen
+    void select(int y, std::span<const float* const> rows);
+
+  private:
+    /// The row of the level of a number.
+    [[nodiscard]] std::span<const float> level(std::size_t number) const noexcept {
+        const std::size_t blurred = octave_.sigmas.size(), here = number - octave_.first_level();
+        return here < blurred ? blurred_.row(here) : wide_.row(static_cast<int>(here - blurred));
     }
-    decide_row(scales, row);
+    void decide(const float* picture, std::span<float> row);
+
+    const ScaleSelection& selection_;
+    const Octave& octave_;
+    const Selected& smaller_;
+    Selected& result_;
+    GaussianRows blurred_;
+    Image<float> wide_;  ///< a row of each of the two levels that come from the next octave
+    std::vector<float> scratch_;
+    std::vector<ScaleRows> scales_;
+};
+
+void OctaveRows::select(int y, std::span<const float* const> rows) {
+    const std::span<float> row = result_.chosen.row(y);
+    blurred_.compute(rows);
+    if (smaller_.chosen.width() == 0) {
+        const std::span<const float> widest = level(octave_.end_scale - 1);
+        std::copy(widest.begin(), widest.end(), row.begin());
+    } else {
+        const AxisHalving &across = octave_.x.halving, &down = octave_.y.halving;
+        double_size_row(smaller_.chosen, across, down, y, scratch_, row);
+        for (int i = 0; i < 2; ++i) {
+            double_size_row(smaller_.levels[static_cast<std::size_t>(i)], across, down, y, scratch_, wide_.row(i));
+        }
+    }
+    decide(rows[rows.size() / 2], row);
+    for (std::size_t i = 0; i < result_.levels.size() && result_.levels[i].width() > 0; ++i) {
+        const std::span<const float> from = level(octave_.first_level() + i);
+        std::copy(from.begin(), from.end(), result_.levels[i].row(y).begin());
+    }
 }
 
-Image<float> select_in_octave(const ScaleSelection& selection, const Octave& octave, ImageView<const float> picture,
-                              const Image<float>& wider, int threads) {
-    constexpr int kBand = 32;       // rows on one thread
-    constexpr double kTail = 1e-3;  // a smaller one brings no result closer to the twin's
-    const int height = picture.height();
-    Image<float> chosen(picture.width(), height);
-    parallel_for(0, (height + kBand - 1) / kBand, threads, [&](int band) {
-        GaussianRows blurred(picture, octave.sigma_px, kTail);
-        std::vector<float> scratch(static_cast<std::size_t>(wider.width()) + 2);
-        for (int y = band * kBand; y < std::min(height, (band + 1) * kBand); ++y) {
-            const std::span<float> row = chosen.row(y);
-            if (wider.width() > 0) double_row(wider.view(), y, scratch, row);
-            blurred.compute(y);
-            select_in_row(selection, octave, picture.row(y), blurred, row);
-        }
+/// `row` has what comes of accepting all the octave's scales.
+void OctaveRows::decide(const float* picture, std::span<float> row) {
+    scales_.clear();
+    for (std::size_t scale = octave_.end_scale; scale-- > octave_.first_scale;) {
+        scales_.push_back({scale == 0 ? picture : level(scale - 1).data(), level(scale).data(), level(scale + 1).data(),
+                           static_cast<float>(selection_.floor[scale] + kLeastFloor),
+                           static_cast<float>(selection_.limit)});
+    }
+    decide_row(scales_, row);
+}
+
+/// `picture` becomes what is chosen.
+Selected select_in_octave(const ScaleSelection& selection, const Octave& octave, Image<float> picture,
+                          const Selected& smaller, int threads) {
+    Selected result{std::move(picture), {}};
+    if (octave.first_scale > 0) {
+        for (Image<float>& level : result.levels) level = Image<float>(result.chosen.width(), result.chosen.height());
+    }
+    const int radius = GaussianRows(1, octave.sigmas, OctaveRows::kTail).radius();
+    change_rows(result.chosen, radius, threads, [&] {
+        return [rows = OctaveRows(selection, octave, smaller, result)](
+                   int y, std::span<const float* const> about) mutable { rows.select(y, about); };
     });
-    return chosen;
+    return result;
 }
 
 }  // namespace
 
-Image<float> select_scales(const ScaleSelection& selection, const Image<float>& luminance, int threads) {
-    const std::vector<Octave> octaves = octaves_of(selection);
-    std::vector<Image<float>> smaller;
-    const auto picture = [&](std::size_t octave) {
-        return octave == 0 ? luminance.view() : std::as_const(smaller[octave - 1]).view();
-    };
-    for (std::size_t octave = 1; octave < octaves.size(); ++octave) {
-        smaller.push_back(half_size(picture(octave - 1), threads));
+Image<float> select_scales(const ScaleSelection& selection, Image<float> luminance, int threads) {
+    const std::vector<Octave> octaves = octaves_of(selection, luminance.width(), luminance.height());
+    std::vector<Image<float>> pictures;
+    pictures.push_back(std::move(luminance));
+    for (std::size_t i = 0; i + 1 < octaves.size(); ++i) {
+        pictures.push_back(half_size(pictures[i], octaves[i].x.halving, octaves[i].y.halving, threads));
     }
-    Image<float> chosen;
-    for (std::size_t octave = octaves.size(); octave-- > 0;) {
-        chosen = select_in_octave(selection, octaves[octave], picture(octave), chosen, threads);
-        if (octave > 0) smaller.pop_back();
+    Selected selected;
+    for (std::size_t i = octaves.size(); i-- > 0;) {
+        selected = select_in_octave(selection, octaves[i], std::move(pictures[i]), selected, threads);
     }
-    return chosen;
+    return std::move(selected.chosen);
 }
 
 Image<double> select_scales_reference(const ScaleSelection& selection, const Image<double>& luminance) {
@@ -178,9 +190,8 @@ Image<double> select_scales_reference(const ScaleSelection& selection, const Ima
         for (int x = 0; x < luminance.width(); ++x) {
             double chosen = luminance(x, y), share = 1.0, sum = 0.0;
             for (std::size_t scale = 0; scale < scales; ++scale) {
-                double accepted = 0.0;
-                accept(blurred[scale](x, y), blurred[scale + 1](x, y), selection.floor[scale] + kLeastFloor,
-                       selection.limit, accepted);
+                const double accepted = accept(blurred[scale](x, y), blurred[scale + 1](x, y),
+                                               selection.floor[scale] + kLeastFloor, selection.limit);
                 sum += share * (1.0 - accepted) * chosen;
                 share *= accepted;
                 chosen = blurred[scale](x, y);

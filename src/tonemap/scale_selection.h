@@ -23,10 +23,10 @@ struct ScaleSelection {
 };
 
 /// In single precision. Wide scales are looked at in pictures of half the size, of a quarter and so on, each where its
-/// averages are wide enough for that, and come back to the whole size by linear interpolation. Beside the result it
-/// needs at most a third of its memory. The same bits for every number of threads (0: all).
-/// \throws std::invalid_argument if threads < 0.
-[[nodiscard]] Image<float> select_scales(const ScaleSelection& selection, const Image<float>& luminance, int threads);
+/// averages are wide enough for that, and come back to the whole size by linear interpolation. The result takes the
+/// place of `luminance`; beside that it needs at most one and a half times as much memory. The same bits for every
+/// number of threads (0: all). \throws std::invalid_argument if threads < 0.
+[[nodiscard]] Image<float> select_scales(const ScaleSelection& selection, Image<float> luminance, int threads);
 
 /// The double-precision twin: direct convolution by every Gaussian.
 [[nodiscard]] Image<double> select_scales_reference(const ScaleSelection& selection, const Image<double>& luminance);

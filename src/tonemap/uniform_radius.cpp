@@ -1,6 +1,7 @@
 #include "tonemap/uniform_radius.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tonemap/gaussian_blur.h"
 #include "tonemap/gaussian_rows.h"
@@ -16,9 +17,9 @@ double sigma_px(const UniformRadiusAdaptation& adaptation, const Image<T>& pictu
 
 }  // namespace
 
-Image<float> local_luminance(const UniformRadiusAdaptation& adaptation, const Image<float>& relative_luminance,
-                             int threads) {
-    return gaussian_blur(relative_luminance, sigma_px(adaptation, relative_luminance), threads);
+Image<float> local_luminance(const UniformRadiusAdaptation& adaptation, Image<float> relative_luminance, int threads) {
+    const double sigma = sigma_px(adaptation, relative_luminance);
+    return gaussian_blur(std::move(relative_luminance), sigma, threads);
 }
 
 Image<double> local_luminance_reference(const UniformRadiusAdaptation& adaptation,

@@ -1,5 +1,7 @@
 #include "tonemap/varying_radius.h"
 
+#include <utility>
+
 #include "tonemap/scale_selection.h"
 
 namespace emulsion {
@@ -19,9 +21,8 @@ ScaleSelection selection_of(const VaryingRadiusAdaptation& adaptation) {
 
 }  // namespace
 
-Image<float> local_luminance(const VaryingRadiusAdaptation& adaptation, const Image<float>& relative_luminance,
-                             int threads) {
-    return select_scales(selection_of(adaptation), relative_luminance, threads);
+Image<float> local_luminance(const VaryingRadiusAdaptation& adaptation, Image<float> relative_luminance, int threads) {
+    return select_scales(selection_of(adaptation), std::move(relative_luminance), threads);
 }
 
 Image<double> local_luminance_reference(const VaryingRadiusAdaptation& adaptation,

@@ -31,8 +31,8 @@ struct VaryingRadiusAdaptation {
 
 /// Over the log-average, as the picture given (relative_luminance.h). Within the tolerance of tone_map_reference() of
 /// its twin; the same bits for every number of threads (0: all). \throws std::invalid_argument if threads < 0.
-[[nodiscard]] Image<float> local_luminance(const VaryingRadiusAdaptation& adaptation,
-                                           const Image<float>& relative_luminance, int threads);
+[[nodiscard]] Image<float> local_luminance(const VaryingRadiusAdaptation& adaptation, Image<float> relative_luminance,
+                                           int threads);
 [[nodiscard]] Image<double> local_luminance_reference(const VaryingRadiusAdaptation& adaptation,
                                                       const Image<double>& relative_luminance);
 

@@ -71,10 +71,7 @@ TEST(LocalLuminance, OfAConstantPictureIsThatConstant) {
     for_each_local([](const auto& adaptation) {
         for (const auto& [width, height] : {std::pair{1, 1}, {1, 97}, {97, 1}, {64, 61}}) {
             const Image<float> local = local_luminance(adaptation, constant(width, height, 7.0f), 1);
-            for (const float value : local.pixels()) {
-                EXPECT_NEAR(value, 7.0f, 1e-5f);
-                EXPECT_EQ(value, local(0, 0));
-            }
+            for (const float value : local.pixels()) EXPECT_NEAR(value, 7.0f, 1e-5f);
         }
     });
 }
@@ -109,14 +106,16 @@ TEST(LocalLuminance, SameBitsForEveryNumberOfThreads) {
     });
 }
 
-// Sizes that divide by all halvings: but for rounding the same.
+// But for rounding the same, also where sizes don't divide by all halvings.
 TEST(LocalLuminance, TurnsWithThePicture) {
     for_each_local([](const auto& adaptation) {
-        const Image<float> picture = log_noise<float>(128, 64, 2);
-        const Image<float> before = turned(local_luminance(adaptation, picture, 1));
-        const Image<float> after = local_luminance(adaptation, turned(picture), 1);
-        for (std::size_t i = 0; i < before.pixels().size(); ++i) {
-            EXPECT_NEAR(after.pixels()[i], before.pixels()[i], 3e-5f * before.pixels()[i]) << i;
+        for (const auto& [width, height] : {std::pair{128, 64}, {83, 59}, {7, 101}}) {
+            const Image<float> picture = log_noise<float>(width, height, 2);
+            const Image<float> before = turned(local_luminance(adaptation, picture, 1));
+            const Image<float> after = local_luminance(adaptation, turned(picture), 1);
+            for (std::size_t i = 0; i < before.pixels().size(); ++i) {
+                EXPECT_NEAR(after.pixels()[i], before.pixels()[i], 3e-5f * before.pixels()[i]) << i;
+            }
         }
     });
 }

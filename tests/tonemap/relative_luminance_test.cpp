@@ -24,22 +24,35 @@ TEST(RelativeLuminance, IsRelativeToTheLogAverage) {
     EXPECT_EQ(result(2, 0), 0.0);
 }
 
-// The eight about the centre: 1 to 8, median 4.5. Their log-average is 8!^(1/8).
+// The eight about the centre: 1 to 8, between 4 and 5 in the middle. Their log-average is 8!^(1/8).
 TEST(RelativeLuminance, BadPixelHasTheMedianOfItsNeighbours) {
     for (const float bad : {kNan, kInf, -5.0f}) {
         Image<XYZ> scene(3, 3);
         for (int i = 0; i < 9; ++i)
             scene.pixels()[static_cast<std::size_t>(i)] = grey(static_cast<float>(i < 4 ? i + 1 : i));
         scene(1, 1) = grey(bad);
-        EXPECT_NEAR(relative(scene)(1, 1), 4.5 / std::pow(40320.0, 0.125), 1e-12) << bad;
+        EXPECT_NEAR(relative(scene)(1, 1), std::sqrt(20.0) / std::pow(40320.0, 0.125), 1e-12) << bad;
     }
 }
 
 TEST(RelativeLuminance, MedianIsOfGoodNeighboursOnly) {
     const Image<double> result = relative(row_of_greys({4.0f, kNan, kNan, kNan, 16.0f}));  // log-average 8
     EXPECT_DOUBLE_EQ(result(1, 0), 0.5);                                                   // 4 alone
-    EXPECT_DOUBLE_EQ(result(2, 0), 1.25);                                                  // 4 and 16, two away
+    EXPECT_DOUBLE_EQ(result(2, 0), 1.0);                                                   // 4 and 16, two away
     EXPECT_DOUBLE_EQ(result(3, 0), 2.0);
+}
+
+// Luminance rises from row to row; only the two beside a pixel of the first row lie opposite each other.
+TEST(RelativeLuminance, BadPixelAtTheEdgeHasTheMedianOfOppositeNeighbours) {
+    Image<XYZ> scene(5, 5);
+    for (int y = 0; y < 5; ++y) {
+        for (int x = 0; x < 5; ++x) scene(x, y) = grey(std::exp2(static_cast<float>(y)));
+    }
+    scene(2, 0) = grey(kNan);
+    scene(2, 3) = grey(kNan);
+    const Image<double> result = relative(scene);
+    EXPECT_NEAR(result(2, 0) / result(0, 0), 1.0, 1e-12);
+    EXPECT_NEAR(result(2, 3) / result(0, 3), 1.0, 1e-12);
 }
 
 TEST(RelativeLuminance, FarFromAnyGoodPixelItIsOne) {
