@@ -53,11 +53,13 @@ void run_loop(std::int64_t begin, std::int64_t end, int threads, const std::func
 #else
 
 void run_loop(std::int64_t begin, std::int64_t end, int threads, const std::function<void(int)>& body) {
-    oneapi::tbb::task_arena arena(threads);
-    arena.execute([&] {
+    const auto loop = [&] {
         oneapi::tbb::parallel_for(
             begin, end, [&](std::int64_t i) { body(static_cast<int>(i)); }, oneapi::tbb::simple_partitioner{});
-    });
+    };
+    // In the arena that threads are waiting in already, if it has as many.
+    if (threads == oneapi::tbb::this_task_arena::max_concurrency()) return loop();
+    oneapi::tbb::task_arena(threads).execute(loop);
 }
 
 #endif

@@ -26,49 +26,53 @@ class LogSum {
   public:
     // Written out: members' own initialisers are compiled without the instruction set.
     LogSum() noexcept
-        : lower_(hn::Set(Doubles(), 1.0)),
-          upper_(hn::Set(Doubles(), 1.0)),
-          exponents_(hn::Zero(hn::RebindToSigned<Floats>())) {}
+        : lower_(hn::Set(Doubles(), 1.0)), upper_(hn::Set(Doubles(), 1.0)), exponents_(hn::Zero(Integers())) {}
 
     void add(Vector values) noexcept {
-        const hn::RebindToSigned<Floats> integers;
-        const Floats floats;
-        const auto bits = hn::BitCast(integers, values);
-        exponents_ = hn::Add(exponents_, hn::ShiftRight<23>(bits));
-        const auto significand = hn::Or(hn::And(bits, hn::Set(integers, 0x7fffff)), hn::Set(integers, 0x3f800000));
-        const auto factors = hn::BitCast(floats, significand);
-        lower_ = hn::Mul(lower_, hn::PromoteTo(Doubles(), hn::LowerHalf(factors)));
-        upper_ = hn::Mul(upper_, hn::PromoteTo(Doubles(), hn::UpperHalf(hn::Half<Floats>(), factors)));
-        if (++count_ == kMostFactors / static_cast<int>(hn::Lanes(floats))) flush();
+        lower_ = hn::Mul(lower_, hn::PromoteTo(Doubles(), hn::LowerHalf(values)));
+        upper_ = hn::Mul(upper_, hn::PromoteTo(Doubles(), hn::UpperHalf(hn::Half<Floats>(), values)));
+        if (++factors_ == kMostFactors) take_exponents();
     }
 
+    /// What was added; more must not be.
     [[nodiscard]] double sum() noexcept {
-        flush();
-        return sum_;
+        take_exponents();
+        const std::int64_t exponent = hn::GetLane(hn::SumOfLanes(Integers(), exponents_)) -
+                                      1023 * taken_ * static_cast<std::int64_t>(hn::Lanes(Doubles()));
+        std::array<double, 2 * hn::MaxLanes(Doubles())> products{};
+        hn::StoreU(lower_, Doubles(), products.data());
+        hn::StoreU(upper_, Doubles(), products.data() + hn::Lanes(Doubles()));
+        double product = 1.0;
+        for (std::size_t i = 0; i < 2 * hn::Lanes(Doubles()); ++i) product *= products[i];
+        return static_cast<double>(exponent) * std::numbers::ln2 + std::log(product);
     }
 
   private:
     using Doubles = hn::Repartition<double, Floats>;
-    static constexpr int kMostFactors = 960;  // in [1, 2): a product below 2^960
+    using Integers = hn::Repartition<std::int64_t, Floats>;
+    using Products = hn::Vec<Doubles>;
+    static constexpr int kMostFactors = 7;  // each in [2^-126, 2^128): beside one in [1, 2) still normal
 
-    void flush() noexcept {
-        const hn::RebindToSigned<Floats> integers;
-        const auto lanes = static_cast<int>(hn::Lanes(Floats()));
-        const int exponent = hn::GetLane(hn::SumOfLanes(integers, exponents_)) - 127 * count_ * lanes;
-        std::array<double, hn::MaxLanes(Doubles())> factors{};
-        hn::StoreU(hn::Mul(lower_, upper_), Doubles(), factors.data());
-        double product = 1.0;
-        for (std::size_t i = 0; i < hn::Lanes(Doubles()); ++i) product *= factors[i];
-        sum_ += exponent * std::numbers::ln2 + std::log(product);
-        exponents_ = hn::Zero(integers);
-        lower_ = upper_ = hn::Set(Doubles(), 1.0);
-        count_ = 0;
+    void take_exponents() noexcept {
+        lower_ = without_exponent(lower_);
+        upper_ = without_exponent(upper_);
+        taken_ += 2;
+        factors_ = 0;
     }
 
-    double sum_ = 0.0;
-    hn::Vec<Doubles> lower_, upper_;
-    hn::Vec<hn::RebindToSigned<Floats>> exponents_;
-    int count_ = 0;
+    [[nodiscard]] Products without_exponent(Products product) noexcept {
+        constexpr std::int64_t kSignificand = (std::int64_t{1} << 52) - 1, kOne = std::int64_t{1023} << 52;
+        const Integers integers;
+        const auto bits = hn::BitCast(integers, product);
+        exponents_ = hn::Add(exponents_, hn::ShiftRight<52>(bits));
+        const auto significand = hn::And(bits, hn::Set(integers, kSignificand));
+        return hn::BitCast(Doubles(), hn::Or(significand, hn::Set(integers, kOne)));
+    }
+
+    Products lower_, upper_;
+    hn::Vec<Integers> exponents_;
+    std::int64_t taken_ = 0;  ///< how many vectors of exponents were
+    int factors_ = 0;
 };
 
 /// What pixels are added to.
@@ -82,30 +86,34 @@ void add_pixel(const XYZ& pixel, std::size_t x, const RowSums& sums) noexcept {
     RowStatistics& row = sums.statistics;
     const PixelClass pixel_class = classify(pixel);
     row.counts.add(pixel_class);
-    if (pixel_class == PixelClass::zero) return;
-    if (pixel_class != PixelClass::positive) {
+    if (is_bad(pixel_class)) {
         if (row.first_bad_x < 0) row.first_bad_x = static_cast<int>(x);
         return;
     }
+    row.max_component = std::max(row.max_component, max_component(pixel));
+    if (pixel_class == PixelClass::zero) return;
     row.log_sum += std::log(double{pixel.y});
     row.min_positive = std::min(row.min_positive, pixel.y);
     row.max = std::max(row.max, pixel.y);
     if (sums.counted.has(x)) sums.histogram.add(pixel.y);
 }
 
-/// In whatever order the lanes are.
-void count_lanes(Vector luminances, bool some_are_zero, LuminanceHistogram& histogram) noexcept {
+/// Those above 0, in whatever order the lanes are.
+void count_positive(Vector luminances, LuminanceHistogram& histogram) noexcept {
     std::array<float, hn::MaxLanes(Floats())> values{};
     hn::StoreU(luminances, Floats(), values.data());
     for (std::size_t i = 0; i < hn::Lanes(Floats()); ++i) {
-        if (!some_are_zero || values[i] > 0.0f) histogram.add(values[i]);
+        if (values[i] > 0.0f) histogram.add(values[i]);
     }
 }
 
 /// Statistics of whole vectors of pixels whose luminances are 0 or normal numbers, and whose components are finite.
 class VectorStatistics {
   public:
-    VectorStatistics() : min_(hn::Set(Floats(), std::numeric_limits<float>::infinity())), max_(hn::Zero(Floats())) {}
+    VectorStatistics()
+        : min_(hn::Set(Floats(), std::numeric_limits<float>::infinity())),
+          max_(hn::Zero(Floats())),
+          components_(hn::Zero(hn::RebindToSigned<Floats>())) {}
 
     /// The vectors from pixel x on, up to the first that has another pixel, or that would be past the end. Returns
     /// where that one begins.
@@ -114,22 +122,31 @@ class VectorStatistics {
         const Floats tag;
         const std::size_t lanes = hn::Lanes(tag);
         const PixelLanes pixel_lanes;
-        const auto largest = hn::Set(tag, std::numeric_limits<float>::max());
+        const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f);
+        const auto infinite = magnitude(hn::Set(tag, std::numeric_limits<float>::infinity()));
         const auto least_normal = hn::Set(tag, std::numeric_limits<float>::min());
-        const auto is_finite = [&](Vector v) { return hn::Le(hn::Abs(v), largest); };
         for (; x + lanes <= row.size(); x += lanes) {
             const PixelVectors pixels(&row[x].x);
             const auto luminances = pixel_lanes.some_luminances(pixels);
-            const auto is_normal = hn::Ge(luminances, least_normal);
-            const auto is_zero = hn::Eq(luminances, hn::Zero(tag));
-            const auto finite = hn::And(is_finite(pixels.a), hn::And(is_finite(pixels.b), is_finite(pixels.c)));
-            if (!hn::AllTrue(tag, hn::And(hn::Or(is_normal, is_zero), finite))) break;
-            const auto zeros = static_cast<std::int64_t>(hn::CountTrue(tag, is_zero));
-            if (sums.counted.has(x)) count_lanes(luminances, zeros > 0, sums.histogram);
-            zeros_ += zeros;
-            max_ = hn::Max(max_, luminances);
-            min_ = hn::Min(min_, hn::IfThenElse(is_zero, min_, luminances));
-            log_sum_.add(hn::IfThenElse(is_zero, hn::Set(tag, 1.0f), luminances));
+            // As bits, which rise with magnitude: NaN is past infinity.
+            const auto components = hn::Max(hn::Max(magnitude(pixels.a), magnitude(pixels.b)), magnitude(pixels.c));
+            const auto is_finite = hn::RebindMask(tag, hn::Lt(components, infinite));
+            const auto is_plain = hn::And(hn::Ge(luminances, least_normal), is_finite);
+            if (HWY_UNLIKELY(!hn::AllTrue(tag, is_plain))) {
+                const auto is_zero = hn::And(hn::Eq(luminances, zero), is_finite);
+                if (!hn::AllTrue(tag, hn::Or(is_plain, is_zero))) break;
+                if (sums.counted.has(x)) count_positive(luminances, sums.histogram);
+                zeros_ += static_cast<std::int64_t>(hn::CountTrue(tag, is_zero));
+                min_ = hn::Min(min_, hn::IfThenElse(is_zero, min_, luminances));
+                max_ = hn::Max(max_, luminances);
+                log_sum_.add(hn::IfThenElse(is_zero, one, luminances));
+            } else {
+                if (sums.counted.has(x)) count_positive(luminances, sums.histogram);
+                min_ = hn::Min(min_, luminances);
+                max_ = hn::Max(max_, luminances);
+                log_sum_.add(luminances);
+            }
+            components_ = hn::Max(components_, components);
             pixels_ += static_cast<std::int64_t>(lanes);
         }
         return x;
@@ -138,6 +155,8 @@ class VectorStatistics {
     void add_to(RowStatistics& row) {
         row.min_positive = std::min(row.min_positive, hn::GetLane(hn::MinOfLanes(Floats(), min_)));
         row.max = std::max(row.max, hn::GetLane(hn::MaxOfLanes(Floats(), max_)));
+        const auto components = hn::BitCast(Floats(), components_);
+        row.max_component = std::max(row.max_component, hn::GetLane(hn::MaxOfLanes(Floats(), components)));
         row.counts.positive += pixels_ - zeros_;
         row.counts.zero += zeros_;
         row.log_sum += log_sum_.sum();
@@ -145,7 +164,13 @@ class VectorStatistics {
 
   private:
     std::int64_t pixels_ = 0, zeros_ = 0;
+    using Bits = hn::Vec<hn::RebindToSigned<Floats>>;
+    [[nodiscard]] static Bits magnitude(Vector values) noexcept {
+        return hn::BitCast(hn::RebindToSigned<Floats>(), hn::Abs(values));
+    }
+
     Vector min_, max_;
+    Bits components_;  ///< largest magnitudes, as bits
     LogSum log_sum_;
 };
 

@@ -16,6 +16,7 @@ struct RowStatistics {
     double log_sum = 0.0;  ///< of ln Y over the positive pixels
     float min_positive = std::numeric_limits<float>::infinity();
     float max = 0.0f;
+    float max_component = 0.0f;  ///< of good pixels
     PixelCounts counts;
     int first_bad_x = -1;  ///< -1: none
 };
@@ -28,9 +29,9 @@ struct CountedGroups {
     [[nodiscard]] bool has(std::size_t x) const noexcept { return x / kPixels % step == first; }
 };
 
-/// In vectors as wide as the processor has. Exponents are added and significands multiplied, ln being taken of products
-/// of up to 960 of them: the log sum is within 1e-14 of the sum of its terms' magnitudes. The positive luminances of
-/// the groups that count are added to `histogram`.
+/// In vectors as wide as the processor has. Numbers are multiplied, their exponents taken out and added in time, and ln
+/// is taken once: the log sum is within 2e-16 for each pixel. The positive luminances of the groups that count are
+/// added to `histogram`.
 [[nodiscard]] RowStatistics statistics_of_row(std::span<const XYZ> row, const CountedGroups& counted,
                                               LuminanceHistogram& histogram) noexcept;
 

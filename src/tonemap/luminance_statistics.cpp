@@ -24,12 +24,14 @@ LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noex
         total.log_sum += row.log_sum;
         total.min_positive = std::min(total.min_positive, row.min_positive);
         total.max = std::max(total.max, row.max);
+        total.max_component = std::max(total.max_component, row.max_component);
         total.counts += row.counts;
         if (row.first_bad_x >= 0 && !statistics.first_bad_px) {
             statistics.first_bad_px = {row.first_bad_x, static_cast<int>(y)};
         }
     }
     statistics.counts = total.counts;
+    statistics.max_component = total.max_component;
     if (total.counts.positive == 0) return statistics;
     statistics.log_average_cdm2 = std::exp(total.log_sum / static_cast<double>(total.counts.positive));
     statistics.min_positive_cdm2 = total.min_positive;
@@ -80,11 +82,12 @@ LuminanceStatistics luminance_statistics_reference(ImageView<const XYZ> scene) {
         for (int x = 0; x < scene.width(); ++x) {
             const PixelClass pixel_class = classify(scene(x, y));
             statistics.counts.add(pixel_class);
-            if (pixel_class == PixelClass::zero) continue;
-            if (pixel_class != PixelClass::positive) {
+            if (is_bad(pixel_class)) {
                 if (!statistics.first_bad_px) statistics.first_bad_px = {x, y};
                 continue;
             }
+            statistics.max_component = std::max(statistics.max_component, double{max_component(scene(x, y))});
+            if (pixel_class == PixelClass::zero) continue;
             const double luminance = scene(x, y).y;
             log_sum += std::log(luminance);
             statistics.min_positive_cdm2 = std::min(statistics.min_positive_cdm2, luminance);

@@ -17,6 +17,7 @@ struct LuminanceStatistics {
     double log_average_cdm2 = 0.0;
     double min_positive_cdm2 = 0.0;  ///< least positive luminance; 0 if there is none
     double max_cdm2 = 0.0;           ///< largest; 0 if no pixel is positive
+    double max_component = 0.0;      ///< largest |X|, |Y| or |Z| of good pixels
     PixelCounts counts;
     std::optional<std::pair<int, int>> first_bad_px;  ///< (x, y) of the first bad pixel in reading order
     bool operator==(const LuminanceStatistics&) const = default;

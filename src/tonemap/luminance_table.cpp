@@ -40,6 +40,7 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
     // The first knot may be at 0, below all luminances.
     least_value_ = *std::min_element(values.begin() + 1, values.end());
     most_value_ = *std::max_element(values.begin() + 1, values.end());
+    is_whole_ = true;
     cells_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double here = values[i], next = values[i + 1];
@@ -48,6 +49,7 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
         constexpr std::uint32_t kFirstNormal = 1u << (23 - kShift);
         const auto is_held = [](double value) { return value == 0.0 || (value > 0x1p-90 && value < 0x1p126); };
         const bool held = first_cell_ + i >= kFirstNormal && is_held(here) && is_held(next);
+        is_whole_ = is_whole_ && held;
         const double value = held ? here : std::numeric_limits<double>::quiet_NaN();
         cells_.push_back(std::bit_cast<std::int64_t>(Cell{static_cast<float>(value), static_cast<float>(slope)}));
     }

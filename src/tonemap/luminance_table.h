@@ -46,11 +46,14 @@ class LuminanceTable {
     /// The least and the largest of the values at the knots.
     [[nodiscard]] double least_value() const noexcept { return least_value_; }
     [[nodiscard]] double most_value() const noexcept { return most_value_; }
+    /// Whether it has a value for every float.
+    [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
 
   private:
     std::vector<std::int64_t> cells_;
     std::uint32_t first_cell_ = 0, least_bits_ = 0, most_bits_ = 0;
     double least_value_ = 0.0, most_value_ = 0.0;
+    bool is_whole_ = false;
 };
 
 }  // namespace emulsion

@@ -2,6 +2,7 @@
 // Classes of pixels, the first that fits: nan (a component is NaN), negative (Y < 0, -Inf included), infinite (a
 // component is infinite), zero (Y = 0), positive. nan, negative and infinite pixels are bad: counted and left out.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,6 +17,11 @@ enum class PixelClass { positive, zero, negative, nan, infinite };
     if (pixel.y < 0.0f) return PixelClass::negative;
     if (std::isinf(pixel.x) || std::isinf(pixel.y) || std::isinf(pixel.z)) return PixelClass::infinite;
     return pixel.y == 0.0f ? PixelClass::zero : PixelClass::positive;
+}
+
+/// Largest |X|, |Y| or |Z|.
+[[nodiscard]] inline float max_component(const XYZ& pixel) noexcept {
+    return std::max({std::abs(pixel.x), std::abs(pixel.y), std::abs(pixel.z)});
 }
 
 [[nodiscard]] constexpr bool is_bad(PixelClass pixel_class) noexcept {

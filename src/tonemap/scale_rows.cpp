@@ -67,20 +67,22 @@ void scale_pixel(float scale, std::size_t x, const float* in, float* out, LeftPi
 
 /// Vectors of pixels from x on, up to the first that has a pixel to be left, or that would be past the end. Returns
 /// where that one begins. No calls are in this loop, so that its constants stay in registers.
-template <class ScaleOf>
+template <RowPixels kPixels, class ScaleOf>
 std::size_t scale_vectors(std::size_t x, std::size_t size, const float* in, float* out, const ScaleOf& scale_of) {
     const Floats tag;
     const std::size_t lanes = hn::Lanes(tag);
     const PixelLanes pixel_lanes;
-    const auto limit = hn::Set(tag, static_cast<float>(kMaxDisplayComponent));
-    const auto within = [&](Vector v) { return hn::Le(hn::Abs(v), limit); };
     for (; x + lanes <= size; x += lanes) {
         const PixelVectors pixels(in + 3 * x);
         const auto luminances = pixel_lanes.luminances(pixels);
         const PixelVectors scales = pixel_lanes.repeated(scale_of(x, luminances));
         const auto a = hn::Mul(pixels.a, scales.a), b = hn::Mul(pixels.b, scales.b), c = hn::Mul(pixels.c, scales.c);
-        const auto not_negative = hn::Ge(luminances, hn::Zero(tag));
-        if (!hn::AllTrue(tag, hn::And(hn::And(not_negative, within(a)), hn::And(within(b), within(c))))) break;
+        if constexpr (kPixels == RowPixels::any) {
+            const auto limit = hn::Set(tag, static_cast<float>(kMaxDisplayComponent));
+            const auto within = [&](Vector v) { return hn::Le(hn::Abs(v), limit); };
+            const auto not_negative = hn::Ge(luminances, hn::Zero(tag));
+            if (!hn::AllTrue(tag, hn::And(hn::And(not_negative, within(a)), hn::And(within(b), within(c))))) break;
+        }
         hn::StoreU(a, tag, out + 3 * x);
         hn::StoreU(b, tag, out + 3 * x + lanes);
         hn::StoreU(c, tag, out + 3 * x + 2 * lanes);
@@ -90,12 +92,14 @@ std::size_t scale_vectors(std::size_t x, std::size_t size, const float* in, floa
 
 /// out = scale_of(x, Y) * in. `scale_of` takes vectors, and floats.
 template <class ScaleOf>
-void scale_all(std::span<const XYZ> row, std::span<XYZ> scaled_row, const ScaleOf& scale_of, LeftPixels& left) {
+void scale_all(std::span<const XYZ> row, std::span<XYZ> scaled_row, const ScaleOf& scale_of, RowPixels pixels,
+               LeftPixels& left) {
     static_assert(sizeof(XYZ) == 3 * sizeof(float));
     const float* const in = &row.data()->x;
     float* const out = &scaled_row.data()->x;
     for (std::size_t x = 0; x < row.size();) {
-        x = scale_vectors(x, row.size(), in, out, scale_of);
+        x = pixels == RowPixels::plain ? scale_vectors<RowPixels::plain>(x, row.size(), in, out, scale_of)
+                                       : scale_vectors<RowPixels::any>(x, row.size(), in, out, scale_of);
         const std::size_t end = std::min(x + hn::Lanes(Floats()), row.size());
         for (; x < end; ++x) scale_pixel(scale_of(x, row[x].y), x, in, out, left);
     }
@@ -157,22 +161,23 @@ class ByBoth {
     ByLuminance compressions_;
 };
 
-void by_constant(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    scale_all(in, out, ByConstant(scale), left);
+void by_constant(float scale, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    scale_all(in, out, ByConstant(scale), pixels, left);
 }
 
-void by_luminance(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    scale_all(in, out, ByLuminance(table), left);
+void by_luminance(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels,
+                  LeftPixels& left) {
+    scale_all(in, out, ByLuminance(table), pixels, left);
 }
 
 void by_adaptation(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
-                   std::span<XYZ> out, LeftPixels& left) {
-    scale_all(in, out, ByAdaptation(table, adaptation.data()), left);
+                   std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    scale_all(in, out, ByAdaptation(table, adaptation.data()), pixels, left);
 }
 
 void by_both(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-             std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    scale_all(in, out, ByBoth(exposures, compressions, adaptation.data()), left);
+             std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    scale_all(in, out, ByBoth(exposures, compressions, adaptation.data()), pixels, left);
 }
 
 }  // namespace emulsion::HWY_NAMESPACE
@@ -190,22 +195,23 @@ HWY_EXPORT(by_both);
 
 }  // namespace
 
-void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    HWY_DYNAMIC_DISPATCH(by_constant)(scale, in, out, left);
+void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_constant)(scale, in, out, pixels, left);
 }
 
-void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    HWY_DYNAMIC_DISPATCH(by_luminance)(table, in, out, left);
+void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels,
+               LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_luminance)(table, in, out, pixels, left);
 }
 
 void scale_row(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
-               std::span<XYZ> out, LeftPixels& left) {
-    HWY_DYNAMIC_DISPATCH(by_adaptation)(table, adaptation, in, out, left);
+               std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_adaptation)(table, adaptation, in, out, pixels, left);
 }
 
 void scale_row(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-               std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left) {
-    HWY_DYNAMIC_DISPATCH(by_both)(exposures, compressions, adaptation, in, out, left);
+               std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left) {
+    HWY_DYNAMIC_DISPATCH(by_both)(exposures, compressions, adaptation, in, out, pixels, left);
 }
 
 }  // namespace emulsion

@@ -15,22 +15,26 @@ namespace emulsion {
 /// or past kMaxDisplayComponent.
 using LeftPixels = std::vector<std::size_t>;
 
+/// What is known of the pixels before they are scaled. Plain: none needs to be left.
+enum class RowPixels { any, plain };
+
 /// Components of a tone-mapped pixel stay within this, so that later stages don't overflow.
 inline constexpr double kMaxDisplayComponent = 0x1p100;
 
-/// out[x] = scale * in[x], or in[x] where that cannot be: those x are appended to `left`, in rising order.
-/// `out` has the size of `in`, and may be the same pixels.
-void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
+/// out[x] = scale * in[x], or in[x] where that cannot be: those x are appended to `left`, in rising order. Of plain
+/// pixels none is, and it is not looked whether any should be. `out` has the size of `in`, and may be the same pixels.
+void scale_row(float scale, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left);
 
 /// The same with scale = table(Y).
-void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
+void scale_row(const LuminanceTable& table, std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels,
+               LeftPixels& left);
 
 /// The same with scale = table(adaptation[x]).
 void scale_row(const LuminanceTable& table, std::span<const float> adaptation, std::span<const XYZ> in,
-               std::span<XYZ> out, LeftPixels& left);
+               std::span<XYZ> out, RowPixels pixels, LeftPixels& left);
 
 /// The same with scale = e * compressions(e * Y), e = exposures(adaptation[x]).
 void scale_row(const LuminanceTable& exposures, const LuminanceTable& compressions, std::span<const float> adaptation,
-               std::span<const XYZ> in, std::span<XYZ> out, LeftPixels& left);
+               std::span<const XYZ> in, std::span<XYZ> out, RowPixels pixels, LeftPixels& left);
 
 }  // namespace emulsion

@@ -54,7 +54,9 @@ LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XY
     }
     const SceneLuminance luminance(scene, threads);
     if (luminance.statistics().counts.positive == 0) {
-        const auto scale_row_at = [](int, auto in, auto out, LeftPixels& left) { scale_row(0.0f, in, out, left); };
+        const auto scale_row_at = [](int, auto in, auto out, LeftPixels& left) {
+            scale_row(0.0f, in, out, RowPixels::any, left);
+        };
         scale_pixels(scene, display, display_white, threads, scale_row_at, [](std::size_t, int) { return kBlack; });
         return luminance.statistics();
     }

@@ -1,6 +1,7 @@
 #include "tonemap/tone_reproduction.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "tonemap/luminance_table.h"
 #include "tonemap/scale_pixels.h"
@@ -8,6 +9,17 @@
 namespace emulsion {
 
 namespace {
+
+/// Plain if no pixel is bad, and no component can come out past the limit. The scale may be up to twice as large: that
+/// of the darkest pixels is at the lower end of a table's first cell. NaN where it is not known.
+RowPixels row_pixels(const LuminanceStatistics& statistics, double most_scale) noexcept {
+    const bool within = 2.0 * most_scale * statistics.max_component <= kMaxDisplayComponent;
+    return statistics.counts.bad() == 0 && within ? RowPixels::plain : RowPixels::any;
+}
+
+double most_scale(const LuminanceTable& table) noexcept {
+    return table.is_whole() ? table.most_value() : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// One adaptation for all: the scale depends on the pixel's own luminance alone.
 void reproduce_globally(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
@@ -17,12 +29,18 @@ void reproduce_globally(const ToneReproduction& reproduction, const LuminanceSta
     const auto exact_at = [&](std::size_t, int) { return exact_scale; };
     if (!reproduction.compression) {
         const float constant = narrow_or_nan(reproduction.exposure(adaptation_cdm2));
-        const auto scale_row_at = [=](int, auto in, auto out, LeftPixels& left) { scale_row(constant, in, out, left); };
+        const RowPixels pixels = row_pixels(statistics, constant);
+        const auto scale_row_at = [=](int, auto in, auto out, LeftPixels& left) {
+            scale_row(constant, in, out, pixels, left);
+        };
         scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
     const LuminanceTable table(exact_scale, statistics.min_positive_cdm2, statistics.max_cdm2, threads);
-    const auto scale_row_at = [&](int, auto in, auto out, LeftPixels& left) { scale_row(table, in, out, left); };
+    const RowPixels pixels = row_pixels(statistics, most_scale(table));
+    const auto scale_row_at = [&](int, auto in, auto out, LeftPixels& left) {
+        scale_row(table, in, out, pixels, left);
+    };
     scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
 
@@ -41,16 +59,18 @@ void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStat
     };
     const LuminanceTable exposures(exposure_of, least, most, threads);
     if (!reproduction.compression) {
+        const RowPixels pixels = row_pixels(statistics, most_scale(exposures));
         const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
-            scale_row(exposures, local.row(y), in, out, left);
+            scale_row(exposures, local.row(y), in, out, pixels, left);
         };
         scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
         return;
     }
     const LuminanceTable compressions(reproduction.compression, exposures.least_value() * statistics.min_positive_cdm2,
                                       exposures.most_value() * statistics.max_cdm2, threads);
+    const RowPixels pixels = row_pixels(statistics, 2.0 * most_scale(exposures) * most_scale(compressions));
     const auto scale_row_at = [&](int y, auto in, auto out, LeftPixels& left) {
-        scale_row(exposures, compressions, local.row(y), in, out, left);
+        scale_row(exposures, compressions, local.row(y), in, out, pixels, left);
     };
     scale_pixels(scene, display, display_white, threads, scale_row_at, exact_at);
 }
