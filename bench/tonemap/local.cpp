@@ -1,6 +1,6 @@
 // Local operators on pictures of 1, 8 and 33 megapixels beside a memory copy of the same picture, on one thread and on
-// all; and their adaptations alone. Each operator is verified against its double-precision twin on a small picture before
-// it is timed; ratios are for one run on one machine.
+// all; and their adaptations alone. Each operator is verified against its double-precision twin on a small picture
+// before it is timed; ratios are for one run on one machine.
 
 #include <algorithm>
 #include <cmath>
