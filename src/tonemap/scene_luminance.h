@@ -15,8 +15,8 @@ class SceneLuminance {
         : statistics_(luminance_statistics(scene, threads, histogram_)) {}
     /// With statistics that are known: those of a twin.
     SceneLuminance(ImageView<const XYZ> scene, const LuminanceStatistics& statistics, int threads)
-        : SceneLuminance(scene, threads) {
-        statistics_ = statistics;
+        : statistics_(statistics) {
+        (void)luminance_statistics(scene, threads, histogram_);
     }
 
     [[nodiscard]] const LuminanceStatistics& statistics() const noexcept { return statistics_; }
