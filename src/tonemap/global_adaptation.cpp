@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/row_blocks.h"
-#include "tonemap/relative_luminance.h"
 
 namespace emulsion {
 
@@ -32,18 +31,19 @@ WeightedSum sum_of_pixels(ImageView<const XYZ> scene, int threads, const Add& ad
     return total;
 }
 
-/// The log-average of the positive pixels with weight(x, y); of all alike where none has any.
+/// The log-average of the positive pixels with weight(x, y), without outliers; of all alike where none has any.
 template <class Weight>
 double weighted_log_average(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads,
                             const Weight& weight) {
     const WeightedSum total = sum_of_pixels(scene, threads, [&](WeightedSum& row, int x, int y, const XYZ& pixel) {
         if (classify(pixel) != PixelClass::positive) return;
+        if (pixel.y >= luminance.least_outlier_cdm2() || pixel.y <= luminance.most_dark_outlier_cdm2()) return;
         const double here = weight(x, y);
         if (here == 0.0) return;
         row.sum += here * std::log(double{pixel.y});
         row.weight += here;
     });
-    return total.weight > 0.0 ? std::exp(total.sum / total.weight) : luminance.statistics().log_average_cdm2;
+    return total.weight > 0.0 ? std::exp(total.sum / total.weight) : luminance.log_average_cdm2();
 }
 
 double shorter_side(ImageView<const XYZ> scene) noexcept { return std::min(scene.width(), scene.height()); }
@@ -51,24 +51,12 @@ double shorter_side(ImageView<const XYZ> scene) noexcept { return std::min(scene
 }  // namespace
 
 double adaptation_cdm2(const LogAverageAdaptation&, ImageView<const XYZ>, const SceneLuminance& luminance, int) {
-    const LuminanceStatistics& statistics = luminance.statistics();
-    const double average = statistics.log_average_cdm2,
-                 least_influence = 1e-3 * static_cast<double>(statistics.counts.positive);
-    if (std::log(statistics.max_cdm2 / average) < least_influence) return average;
-    const double least_outlier = least_outlier_cdm2(luminance);
-    double outliers = 0.0, log_sum = 0.0;  // of ln(Y / average)
-    for (int bin = LuminanceHistogram::kBins - 1; LuminanceHistogram::lower_end(bin) >= least_outlier; --bin) {
-        const auto count = static_cast<double>(luminance.histogram().count(bin));
-        const double ends = LuminanceHistogram::lower_end(bin) + LuminanceHistogram::lower_end(bin + 1);
-        outliers += count;
-        log_sum += count * std::log(0.5 * ends / average);
-    }
-    return average * std::exp(-log_sum / (static_cast<double>(statistics.counts.positive) - outliers));
+    return luminance.log_average_cdm2();
 }
 
 double adaptation_cdm2(const AverageAdaptation&, ImageView<const XYZ> scene, const SceneLuminance& luminance,
                        int threads) {
-    const double least_outlier = least_outlier_cdm2(luminance);
+    const double least_outlier = luminance.least_outlier_cdm2();
     const WeightedSum total = sum_of_pixels(scene, threads, [&](WeightedSum& row, int, int, const XYZ& pixel) {
         const PixelClass pixel_class = classify(pixel);
         if (pixel_class != PixelClass::positive && pixel_class != PixelClass::zero) return;

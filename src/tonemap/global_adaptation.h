@@ -12,15 +12,14 @@
 
 namespace emulsion {
 
-/// The mean of ln Y: LuminanceStatistics::log_average_cdm2. Of small pictures, which one pixel could move by 0.1 % or
-/// more, without outliers (least_outlier_cdm2()), each of which is taken out at the middle of its bin.
+/// The mean of ln Y: SceneLuminance::log_average_cdm2().
 struct LogAverageAdaptation {
     static constexpr std::string_view kName = "log-average";
     static constexpr std::string_view kHelp = "the geometric mean of the positive luminances";
     bool operator==(const LogAverageAdaptation&) const = default;
 };
 
-/// The mean of Y, without outliers (least_outlier_cdm2()).
+/// The mean of Y, without outliers (SceneLuminance::least_outlier_cdm2()).
 struct AverageAdaptation {
     static constexpr std::string_view kName = "average";
     static constexpr std::string_view kHelp = "the arithmetic mean of the luminances";

@@ -1,5 +1,6 @@
 #pragma once
-// How the luminances of a picture are spread: counts in bins of equal ratio, nearly, over all positive floats.
+// How the luminances of a picture are spread: counts and means in bins of equal ratio, nearly, over all positive
+// floats.
 
 #include <array>
 #include <bit>
@@ -7,36 +8,48 @@
 
 namespace emulsion {
 
-/// Counts of positive, finite luminances, 32 bins an octave, equally wide within it: a bin is between 1.6 and 3.1 %
-/// wide. Counts are integers, so that histograms add to the same result in any order.
+/// Positive, finite luminances, 32 bins an octave, equally wide within it: a bin is between 1.6 and 3.1 % wide. Counts
+/// and means are made of integers, so that histograms add to the same result in any order. A bin holds up to 2^27
+/// values.
 class LuminanceHistogram {
   public:
     static constexpr int kBinsPerOctave = 32;
     static constexpr int kBins = 255 * kBinsPerOctave;
+    static constexpr std::uint64_t kMostValues = std::uint64_t{1} << 27u;
 
-    void add(float luminance) noexcept { ++counts_[bin_of(luminance)]; }
+    void add(float luminance) noexcept {
+        const auto bits = std::bit_cast<std::uint32_t>(luminance);
+        cells_[bits >> kShift] += kOne + (bits >> kDroppedBits & kMostPlace);
+    }
     LuminanceHistogram& operator+=(const LuminanceHistogram& other) noexcept;
 
-    [[nodiscard]] std::uint64_t count(int bin) const noexcept { return counts_[static_cast<std::size_t>(bin)]; }
+    [[nodiscard]] std::uint64_t count(int bin) const noexcept { return cell(bin) >> kPlaceSumBits; }
     [[nodiscard]] std::uint64_t total() const noexcept;
+
+    /// The mean of a bin that is not empty, to 3e-5 of it.
+    [[nodiscard]] double mean(int bin) const noexcept;
 
     /// The bin's lower end, in the unit of the luminances; bin kBins begins at 2^128.
     [[nodiscard]] static double lower_end(int bin) noexcept;
 
-    /// The luminance below which `rank` of the values lie, 0 <= rank <= total(), values spread evenly over their bin:
-    /// within the width of one bin of the value of that rank. 0 if the histogram is empty.
+    /// The luminance below which `rank` of the values lie, 0 <= rank <= total(): at the middle of a bin's ranks its
+    /// mean, between two bins the mean of both, and linear from one to the other. Next to an empty bin it stays at the
+    /// mean. So values of one bin count as equal, a gap stays one, and one value more moves little; it is within the
+    /// width of one bin of the value of that rank. 0 if the histogram is empty.
     [[nodiscard]] double value_of_rank(double rank) const noexcept;
 
     bool operator==(const LuminanceHistogram&) const = default;
 
   private:
-    static constexpr int kShift = 23 - 5;  // of a float's 23 bits of significand, 5 tell its bin
+    static constexpr unsigned kShift = 23 - 5;  // of a float's 23 bits of significand, 5 tell its bin
+    // The next 10 tell its place in the bin. A cell is a count and, below it, the sum of places.
+    static constexpr unsigned kPlaceBits = 10, kDroppedBits = kShift - kPlaceBits, kPlaceSumBits = 37;
+    static constexpr std::uint64_t kMostPlace = (std::uint64_t{1} << kPlaceBits) - 1;
+    static constexpr std::uint64_t kOne = std::uint64_t{1} << kPlaceSumBits;
 
-    [[nodiscard]] static std::size_t bin_of(float luminance) noexcept {
-        return std::bit_cast<std::uint32_t>(luminance) >> static_cast<unsigned>(kShift);
-    }
+    [[nodiscard]] std::uint64_t cell(int bin) const noexcept { return cells_[static_cast<std::size_t>(bin)]; }
 
-    std::array<std::uint32_t, kBins> counts_{};
+    std::array<std::uint64_t, kBins> cells_{};
 };
 
 }  // namespace emulsion

@@ -40,10 +40,15 @@ LuminanceStatistics statistics_of_rows(std::span<const RowStatistics> rows) noex
 }
 
 CountedGroups counted_groups(ImageView<const XYZ> scene, int y) noexcept {
-    constexpr std::size_t kMostPixelsOfAll = std::size_t{1} << 18u;
-    constexpr std::array<std::size_t, 4> kFirst = {0, 2, 1, 3};
-    if (scene.pixels().size() <= kMostPixelsOfAll) return {};
-    return {kFirst[static_cast<std::size_t>(y) % kFirst.size()], kFirst.size()};
+    constexpr std::size_t kMostPixelsOfAll = std::size_t{1} << 19u;
+    const std::size_t pixels = scene.pixels().size();
+    if (pixels <= kMostPixelsOfAll) return {};
+    if (pixels <= 4 * LuminanceHistogram::kMostValues) {
+        constexpr std::array<std::size_t, 4> kFirst = {0, 2, 1, 3};
+        return {kFirst[static_cast<std::size_t>(y) % kFirst.size()], kFirst.size()};
+    }
+    const std::size_t step = pixels / LuminanceHistogram::kMostValues + 1;
+    return {static_cast<std::size_t>(y) % step, step};
 }
 
 }  // namespace

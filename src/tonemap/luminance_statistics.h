@@ -29,8 +29,9 @@ struct LuminanceStatistics {
 /// \throws std::invalid_argument if threads < 0.
 [[nodiscard]] LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads);
 
-/// The same, and adds luminances to `histogram`: those of all positive pixels, or, of pictures of more than 2^18
-/// pixels, of every fourth group of 16 in a row, the first in turn 0, 2, 1, 3 from row to row.
+/// The same, and adds luminances to `histogram`: those of all positive pixels; of pictures of more than 2^19 pixels, of
+/// every fourth group of 16 in a row, the first in turn 0, 2, 1, 3 from row to row; of fewer in pictures of more than
+/// 2^29, so that no bin can have too many.
 [[nodiscard]] LuminanceStatistics luminance_statistics(ImageView<const XYZ> scene, int threads,
                                                        LuminanceHistogram& histogram);
 

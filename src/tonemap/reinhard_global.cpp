@@ -7,7 +7,7 @@
 namespace emulsion {
 
 double photographic_key(const SceneLuminance& luminance) {
-    const double average = std::log2(luminance.statistics().log_average_cdm2);
+    const double average = std::log2(luminance.log_average_cdm2());
     const double least = std::log2(luminance.robust_min_cdm2()), most = std::log2(luminance.robust_max_cdm2());
     if (!(most > least)) return kMiddleGrey;
     return kMiddleGrey * std::exp2(2.0 * (2.0 * average - least - most) / (most - least));

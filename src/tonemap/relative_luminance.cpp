@@ -114,11 +114,9 @@ bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_
 
 }  // namespace
 
-double least_outlier_cdm2(const SceneLuminance& luminance) { return 1000.0 * luminance.robust_max_cdm2(); }
-
 template <class T>
 Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads) {
-    const double unit = luminance.statistics().log_average_cdm2, least_outlier = least_outlier_cdm2(luminance);
+    const double unit = luminance.statistics().log_average_cdm2, least_outlier = luminance.least_outlier_cdm2();
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<T> out = result.row(y);

@@ -8,9 +8,6 @@
 
 namespace emulsion {
 
-/// Luminances past this, in cd/m^2, are outliers: 1000 times SceneLuminance::robust_max_cdm2().
-[[nodiscard]] double least_outlier_cdm2(const SceneLuminance& luminance);
-
 /// Y / log_average(Y) of every pixel, one or more of which is positive; >= 0 and below 2^120. Bad pixels and outliers
 /// have the median of the good pixels in the smallest square about them, of up to 9 x 9, that has any, or else 1: of
 /// those that lie opposite each other, if there are any, so that at the edge of a picture, too, they have what lies

@@ -113,7 +113,7 @@ TEST(GlobalAdaptation, OutliersAreLeftOut) {
     Image<XYZ> other = scene;
     other(31, 31) = grey(1e30f);
     other(1, 60) = grey(1e25f);
-    ASSERT_GT(1e25, least_outlier_cdm2(SceneLuminance(other.view(), 1)));
+    ASSERT_GT(1e25, SceneLuminance(other.view(), 1).least_outlier_cdm2());
     for (const Adaptation& adaptation :
          {Adaptation{LogAverageAdaptation{}}, Adaptation{AverageAdaptation{}}, Adaptation{MedianAdaptation{}}}) {
         EXPECT_NEAR(adapted(adaptation, other) / adapted(adaptation, scene), 1.0, 5e-3) << to_text(adaptation);

@@ -88,17 +88,41 @@ TEST(LuminanceHistogram, RankIsThatOfTheSortedValuesToABinsWidth) {
     EXPECT_NEAR(histogram.value_of_rank(5000.0) / double{values.back()}, 1.0, 1.0 / 32.0);
 }
 
-// Four values in the bin [1, 1 + 1/32): they count as evenly spread.
-TEST(LuminanceHistogram, RanksWithinABinAreInterpolated) {
+TEST(LuminanceHistogram, MeansAreThoseOfTheValues) {
+    LuminanceHistogram histogram;
+    for (const float value : {1.001f, 1.002f, 1.03f}) histogram.add(value);
+    histogram.add(std::numeric_limits<float>::max());
+    EXPECT_NEAR(histogram.mean(127 * 32), (1.001 + 1.002 + 1.03) / 3.0, 3e-5);
+    EXPECT_NEAR(histogram.mean(kBins - 1) / double{std::numeric_limits<float>::max()}, 1.0, 3e-5);
+}
+
+// A cell holds 2^27 values of the largest place.
+TEST(LuminanceHistogram, FullBinsKeepCountAndMean) {
+    LuminanceHistogram doubled;
+    const float value = std::nextafter(1.03125f, 0.0f);
+    doubled.add(value);
+    for (int i = 0; i < 26; ++i) doubled += LuminanceHistogram(doubled);
+    EXPECT_EQ(doubled.count(127 * 32), LuminanceHistogram::kMostValues / 2);
+    EXPECT_EQ(doubled.total(), LuminanceHistogram::kMostValues / 2);
+    EXPECT_NEAR(doubled.mean(127 * 32), double{value}, 3e-5);
+}
+
+// 4 values of 1.01 and 2 of 1.04 in the next bin, 1.02 being the mean of all six; a gap, and one value of 8.
+TEST(LuminanceHistogram, RanksAreInterpolatedBetweenNeighbouringBins) {
     LuminanceHistogram histogram;
     EXPECT_EQ(histogram.value_of_rank(0.0), 0.0);
     for (int i = 0; i < 4; ++i) histogram.add(1.01f);
+    for (int i = 0; i < 2; ++i) histogram.add(1.04f);
     histogram.add(8.0f);
-    EXPECT_DOUBLE_EQ(histogram.value_of_rank(0.0), 1.0);
-    EXPECT_DOUBLE_EQ(histogram.value_of_rank(1.0), 1.0 + 1.0 / 128.0);
-    EXPECT_DOUBLE_EQ(histogram.value_of_rank(3.0), 1.0 + 3.0 / 128.0);
-    EXPECT_DOUBLE_EQ(histogram.value_of_rank(4.0), 8.0);
-    EXPECT_DOUBLE_EQ(histogram.value_of_rank(5.0), 8.25);
+    EXPECT_NEAR(histogram.value_of_rank(0.0), 1.01, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(2.0), 1.01, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(3.0), 1.015, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(3.999), 1.02, 6e-5);
+    EXPECT_NEAR(histogram.value_of_rank(4.0), 1.02, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(5.0), 1.04, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(5.999), 1.04, 4e-5);
+    EXPECT_NEAR(histogram.value_of_rank(6.0), 8.0, 3e-4);
+    EXPECT_NEAR(histogram.value_of_rank(7.0), 8.0, 3e-4);
 }
 
 }  // namespace

@@ -105,15 +105,15 @@ TEST(LuminanceStatistics, SameBitsForEveryNumberOfThreads) {
     for (const int threads : {2, 3, 8, 0}) EXPECT_EQ(of(scene, threads), one) << threads;
 }
 
-// Of pictures of more than 2^18 pixels every fourth group of 16 in a row, the first in turn 0, 2, 1, 3.
+// Of pictures of more than 2^19 pixels every fourth group of 16 in a row, the first in turn 0, 2, 1, 3.
 TEST(LuminanceStatistics, HistogramCountsTheGroupsThatItSays) {
-    for (const auto& [width, height] : {std::pair{513, 511}, {1021, 300}, {40, 7000}}) {
+    for (const auto& [width, height] : {std::pair{731, 717}, {1021, 600}, {40, 14000}}) {
         Image<XYZ> scene = random_scene(width, height, 5);
         for (std::size_t i = 0; i < scene.pixels().size(); i += 7) scene.pixels()[i] = {};
         for (std::size_t i = 0; i < scene.pixels().size(); i += 101) scene.pixels()[i].y = -1.0f;
         for (std::size_t i = 3; i < scene.pixels().size(); i += 103) scene.pixels()[i].x = kNan;
         for (std::size_t i = 5; i < scene.pixels().size(); i += 107) scene.pixels()[i].y = 1e-40f;
-        const bool all = scene.pixels().size() <= std::size_t{1} << 18u;
+        const bool all = scene.pixels().size() <= std::size_t{1} << 19u;
         LuminanceHistogram expected;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -127,7 +127,7 @@ TEST(LuminanceStatistics, HistogramCountsTheGroupsThatItSays) {
     }
 }
 
-// One outlier of 64 to 1999 pixels at each end, one thousandth of more.
+// One pixel of 64 to 1999 at each end, one thousandth of more; those far beyond are left out before.
 TEST(LuminanceStatistics, RobustEndsLeaveOutliersOut) {
     for (const int count : {64, 81, 1999, 2000, 5000}) {
         Image<XYZ> scene = ramp_of_greys(1.0, 100.0, count);
@@ -137,8 +137,24 @@ TEST(LuminanceStatistics, RobustEndsLeaveOutliersOut) {
             scene(count - 1 - i, 0) = grey(1e30f);
         }
         const SceneLuminance luminance = SceneLuminance(scene.view(), 1);
-        EXPECT_NEAR(luminance.robust_min_cdm2() / double{scene(outliers, 0).y}, 1.0, 1.0 / 32.0) << count;
-        EXPECT_NEAR(luminance.robust_max_cdm2() / double{scene(count - 1 - outliers, 0).y}, 1.0, 1.0 / 32.0) << count;
+        EXPECT_NEAR(luminance.robust_min_cdm2() / double{scene(2 * outliers, 0).y}, 1.0, 1.0 / 32.0) << count;
+        EXPECT_NEAR(luminance.robust_max_cdm2() / double{scene(count - 1 - 2 * outliers, 0).y}, 1.0, 1.0 / 32.0)
+            << count;
+    }
+}
+
+// Ten suns in 10,000 pixels, just as many as are left out: so it stays when another pixel goes bad, or far beyond them.
+TEST(LuminanceStatistics, RobustEndsStayWhenOnePixelChanges) {
+    Image<XYZ> scene(100, 100);
+    for (int i = 0; i < 10000; ++i)
+        scene.pixels()[static_cast<std::size_t>(i)] = grey(1.0f + 1e-4f * static_cast<float>(i));
+    for (int x = 0; x < 10; ++x) scene(x, 50) = grey(1e4f);
+    const SceneLuminance before(scene.view(), 1);
+    for (const float value : {kNan, kInf, -1.0f, 1e30f, 1e-30f}) {
+        scene(3, 70) = grey(value);
+        const SceneLuminance after(scene.view(), 1);
+        EXPECT_NEAR(after.robust_max_cdm2() / before.robust_max_cdm2(), 1.0, 1e-3) << value;
+        EXPECT_NEAR(after.robust_min_cdm2() / before.robust_min_cdm2(), 1.0, 1e-3) << value;
     }
 }
 

@@ -73,7 +73,7 @@ TEST(RelativeLuminance, OutlierHasTheMedianOfItsNeighbours) {
     for (XYZ& pixel : scene.pixels()) pixel = grey(3.0f);
     scene(4, 4) = grey(1e30f);
     const SceneLuminance luminance = SceneLuminance(scene.view(), 1);
-    EXPECT_LT(least_outlier_cdm2(luminance), 3.2e3);
+    EXPECT_LT(luminance.least_outlier_cdm2(), 3.2e3);
     const Image<double> result = relative(scene);
     EXPECT_DOUBLE_EQ(result(4, 4), result(0, 0));
     scene(4, 4) = grey(2e3f);  // not quite

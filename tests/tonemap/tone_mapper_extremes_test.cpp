@@ -18,6 +18,9 @@
 namespace emulsion {
 namespace {
 
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
 class EveryToneMapperAt : public EveryToneMapper {};
 
 // As a filtered or interpolated picture has them.
@@ -153,6 +156,50 @@ TEST_P(EveryToneMapperAt, AgreesWithItsTwinUnderEveryGlobalAdaptation) {
         const Image<XYZd> exact = tone_map_reference(mapping, scene.view(), kWhiteD);
         for (std::size_t i = 0; i < fast.pixels().size(); ++i) {
             expect_close(fast.pixels()[i], exact.pixels()[i], to_text(Adaptation(adaptation)));
+        }
+    });
+}
+
+// Pictures of so small a range that one other pixel could be all of it.
+TEST_P(EveryToneMapperAt, OnePixelDoesNotDecideAboutAnEvenPicture) {
+    for (const float slope : {0.0f, 1e-5f, 5e-3f}) {
+        Image<XYZ> clean(100, 100);
+        for (int x = 0; x < 100; ++x) {
+            for (int y = 0; y < 100; ++y) clean(x, y) = grey(20.0f * (1.0f + slope * static_cast<float>(x)));
+        }
+        const Image<XYZ> before = map(clean);
+        for (const float value : {kNan, kInf, -1.0f, 1e30f, 1e-30f, 30.001f, 0.01f}) {
+            const bool darkens = traits_of(GetParam()).outliers == OutlierEffect::darkens_all;
+            if (darkens && value > 20.0f) continue;
+            Image<XYZ> scene = clean;
+            scene(50, 50) = grey(value);
+            const Image<XYZ> after = map(scene);
+            for (int y = 0; y < 100; ++y) {
+                for (int x = 0; x < 100; ++x) {
+                    if (std::max(std::abs(x - 50), std::abs(y - 50)) <= 8) continue;
+                    ASSERT_NEAR(shown(after(x, y)), shown(before(x, y)), 2.0f / 255.0f) << value << ' ' << slope;
+                }
+            }
+        }
+    }
+}
+
+TEST_P(EveryToneMapperAt, OnePixelDoesNotDecideUnderAnyGlobalAdaptation) {
+    const Image<XYZ> clean = smooth_scene(64, 64, 10);
+    for_each_alternative<Adaptation>([&](const auto& adaptation) {
+        if (is_local(Adaptation(adaptation))) return;
+        const ToneMapping mapping{GetParam(), Adaptation(adaptation)};
+        const Image<XYZ> before = tone_map(mapping, clean.view(), kWhite, 1).image;
+        for (const float value : {1e30f, 1e-30f}) {
+            if (traits_of(GetParam()).outliers == OutlierEffect::darkens_all && value > 1.0f) continue;
+            Image<XYZ> scene = clean;
+            scene(31, 32) = grey(value);
+            const Image<XYZ> after = tone_map(mapping, scene.view(), kWhite, 1).image;
+            for (std::size_t i = 0; i < clean.pixels().size(); ++i) {
+                if (clean.pixels()[i] != scene.pixels()[i]) continue;
+                ASSERT_NEAR(shown(after.pixels()[i]), shown(before.pixels()[i]), 2.0f / 255.0f)
+                    << to_text(*mapping.adaptation) << ' ' << value;
+            }
         }
     });
 }
