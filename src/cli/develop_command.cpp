@@ -1,6 +1,7 @@
 #include "cli/develop_command.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -13,16 +14,44 @@
 #include "cli/pipeline_options.h"
 #include "cli/tone_reports.h"
 #include "core/atomic_file.h"
+#include "develop/develop.h"
 #include "film/exr_file.h"
 
 namespace emulsion::cli {
 
-struct DevelopCommand::Options {
+namespace {
+
+struct DevelopSettings {
     std::filesystem::path exr, png, contact_sheet, exposures, curve;
     int threads = 0;
     bool quiet = false, list_tonemaps = false, list_adaptations = false;
     Pipeline pipeline;
 };
+
+/// The stages before tone mapping are gone through once, for all outputs.
+void write_outputs(const DevelopSettings& options, Image<XYZ> picture) {
+    const int threads = options.threads;
+    Pipeline rest = options.pipeline;
+    if (std::optional<Image<XYZ>> before = before_tone_mapping(picture, rest, threads)) picture = std::move(*before);
+    rest.bloom = NoBloom{};
+    rest.vision = NoVision{};
+    const SceneLuminance luminance(picture.view(), threads);
+    warn_of_bad_pixels(luminance.statistics());
+
+    if (!options.curve.empty()) write_curve(options.curve, picture, {rest.tone_mapper, rest.adaptation}, threads);
+    if (!options.contact_sheet.empty()) write_contact_sheet(options.contact_sheet, picture, rest, threads);
+    if (!options.exposures.empty()) write_exposures(options.exposures, picture, luminance, rest, threads);
+    if (std::holds_alternative<ZoneSystem>(rest.tone_mapper) && !options.quiet) {
+        print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
+    }
+    if (!options.png.empty()) {
+        write_developed(options.png, develop(std::move(picture), rest, threads).image, options.pipeline);
+    }
+}
+
+}  // namespace
+
+struct DevelopCommand::Options : DevelopSettings {};
 
 DevelopCommand::DevelopCommand(CLI::App& program)
     : command_(program.add_subcommand("develop", "Develop a scene-referred EXR to a PNG")),
@@ -82,18 +111,7 @@ int DevelopCommand::run() const {
     FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
     for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
 
-    if (!options.curve.empty()) write_curve(options.curve, picture.xyz, options.pipeline, options.threads);
-    if (!options.contact_sheet.empty()) {
-        write_contact_sheet(options.contact_sheet, picture.xyz, options.pipeline, options.threads);
-    }
-    if (!options.exposures.empty()) {
-        write_exposures(options.exposures, picture.xyz, options.pipeline, options.threads);
-    }
-    if (std::holds_alternative<ZoneSystem>(options.pipeline.tone_mapper) && !options.quiet) {
-        const SceneLuminance luminance(picture.xyz.view(), options.threads);
-        print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
-    }
-    if (!options.png.empty()) develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png);
+    write_outputs(options, std::move(picture.xyz));
     for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
     }

@@ -20,16 +20,23 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                      "Luminance that the operator adapts to", "the operator's own");
 }
 
+void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
+    const PixelCounts& counts = statistics.counts;
+    if (counts.bad() == 0) return;
+    const auto [x, y] = statistics.first_bad_px.value_or(std::pair{0, 0});
+    print_warning(fmt::format(
+        "{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}", counts.bad(),
+        counts.bad() + counts.positive + counts.zero, counts.nan, counts.infinite, counts.negative, x, y));
+}
+
+void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline) {
+    write_png(png, image, {.text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+}
+
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
     const DevelopResult developed = develop(std::move(scene), pipeline, threads);
-    const PixelCounts& counts = developed.report.luminance.counts;
-    if (counts.bad() > 0) {
-        const auto [x, y] = developed.report.luminance.first_bad_px.value_or(std::pair{0, 0});
-        print_warning(fmt::format(
-            "{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}",
-            counts.bad(), developed.image.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
-    }
-    write_png(png, developed.image, {.text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+    warn_of_bad_pixels(developed.report.luminance);
+    write_developed(png, developed.image, pipeline);
 }
 
 }  // namespace emulsion::cli

@@ -7,6 +7,8 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
+#include "display/code_value.h"
+#include "tonemap/luminance_statistics.h"
 
 namespace CLI {
 class App;
@@ -18,7 +20,14 @@ namespace emulsion::cli {
 /// such value with bad usage.
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 
-/// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
+/// Warns of bad pixels, if there are any: how many of each kind, and where the first is.
+void warn_of_bad_pixels(const LuminanceStatistics& statistics);
+
+/// Writes a developed picture as a PNG, with the pipeline that made it as text in it.
+/// \throws IoError if the file can't be written.
+void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline);
+
+/// Develops scene-referred XYZ and writes the PNG; warns of bad pixels.
 /// \throws IoError if the file can't be written.
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
 

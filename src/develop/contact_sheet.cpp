@@ -60,10 +60,10 @@ int columns_of(int count, int cell_width, int cell_height) noexcept {
 
 }  // namespace
 
-std::vector<ContactTile> operator_tiles() {
+std::vector<ContactTile> operator_tiles(const std::optional<Adaptation>& adaptation) {
     std::vector<ContactTile> tiles;
     for_each_alternative<ToneMapper>([&](const auto& mapper) {
-        tiles.push_back({{.mapper = mapper}, std::string(mapper.kName)});
+        tiles.push_back({{.mapper = mapper, .adaptation = adaptation}, std::string(mapper.kName)});
     });
     return tiles;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A picture of pictures: one tile for each of some tone mappings, for choosing by eye.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ struct ContactTile {
     std::string label;
 };
 
-/// Every operator of the variant with its defaults, in its order, under its name.
-[[nodiscard]] std::vector<ContactTile> operator_tiles();
+/// Every operator of the variant with its defaults, in its order, under its name; adapted to what is given, or else
+/// each to its own.
+[[nodiscard]] std::vector<ContactTile> operator_tiles(const std::optional<Adaptation>& adaptation = std::nullopt);
 
 /// The strip of three exposures: `fixed` with ten times the given luminance as its white, with that luminance, and with
 /// a tenth of it.
@@ -28,7 +30,7 @@ struct ContactTile {
 
 /// Row by row, up to four tiles in one row, each with its label below. Tone mappings see the whole picture; what they
 /// made is then averaged down to at most `tile_px` pixels in width and in height. The other stages are those of the
-/// pipeline, whose own tone mapping is not used.
+/// pipeline, whose own tone mapper and adaptation are not used.
 /// \param tiles one or more \param tile_px 16 to 4096
 /// \throws std::invalid_argument if the picture is empty, pipeline or a tone mapping not valid, there are no tiles,
 /// tile_px is out of range or threads < 0.

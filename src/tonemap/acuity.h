@@ -7,8 +7,8 @@
 namespace emulsion {
 
 /// 17.25 atan(1.4 log10 La + 0.35) + 25.72: the highest frequency that can be seen, a fit to the data of Shlaer 1937;
-/// La below 1e-5 counts as 1e-5, where it is 1.2, since the fit falls below 0 in the end. Source: Larson, Rushmeier &
-/// Piatko 1997 (rod_vision.h), eq. 15.
+/// La below 1e-5 counts as 1e-5, where it is 1.2, since the fit falls below 0 in the end. Source: Ward Larson,
+/// Rushmeier & Piatko 1997 (rod_vision.h), eq. 15.
 [[nodiscard]] double highest_visible_frequency(double adaptation_cdm2) noexcept;
 
 /// Standard deviation of a blur, in degrees, under which a grating of that frequency keeps 5 % of its contrast, without

@@ -14,9 +14,9 @@ namespace emulsion {
 /// Ld = (Ya / Ymax)^g Y / Ya: the base Ya, that of bilateral unless chosen otherwise, is compressed in logarithms by
 /// g = log10(contrast) / log10(Ymax / Ymin), but never stretched, its brightest becoming display white; detail Y / Ya
 /// is kept, and may come out above 1. Source: Durand & Dorsey, "Fast Bilateral Filtering for the Display of
-/// High-Dynamic-Range Images", SIGGRAPH 2002, section 6. Departs from it in that Ymin and Ymax are the robust ones of
-/// SceneLuminance, not those of the base; and in the contrast, for which it has 5: pictures were to be shown without an
-/// encoding for displays, under which that is a contrast of 34.
+/// High-Dynamic-Range Images", SIGGRAPH 2002, section 6, on contrast reduction. Departs from it in that Ymin and Ymax
+/// are the robust ones of SceneLuminance, not those of the base; and in the contrast, for which it has 5: pictures were
+/// to be shown without an encoding for displays, under which that is a contrast of 34.
 struct Durand {
     static constexpr std::string_view kName = "durand";
     static constexpr std::string_view kHelp = "bilateral base with less contrast, details kept";

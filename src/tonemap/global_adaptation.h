@@ -51,7 +51,7 @@ struct SpotAdaptation {
     static constexpr std::string_view kHelp = "the log-average of a disc: what is to be the middle grey";
     float x = 0.5f;        ///< of the width, from the left; in [0, 1]
     float y = 0.5f;        ///< of the height, from the top; in [0, 1]
-    float radius = 0.05f;  ///< of the shorter side; finite, >= 0
+    float radius = 0.05f;  ///< of the shorter side; in [0, 1]
     bool operator==(const SpotAdaptation&) const = default;
 
     static constexpr std::array kParameters = {

@@ -14,7 +14,8 @@ namespace emulsion {
 /// adjusted_histogram() with the ceiling d ln(Ld) / d ln(Y) <= 1: nowhere more contrast than linear. The robust largest
 /// luminance becomes display white, the robust least 1 / contrast. A range that fits the display comes out linear, the
 /// robust largest luminance as white, which is where the curve tends to as the range shrinks to that of the display. It
-/// asks for no adaptation, and for ratios of luminances only. Source: Ward Larson et al. 1997, the linear ceiling.
+/// asks for no adaptation, and for ratios of luminances only. Source: Ward Larson, Rushmeier & Piatko 1997
+/// (histogram_adjustment.h), section on the linear ceiling.
 struct HistogramAdjustment {
     static constexpr std::string_view kName = "histogram";
     static constexpr std::string_view kHelp = "histogram adjustment, nowhere more contrast than linear";

@@ -1,7 +1,8 @@
 #pragma once
 // Histogram adjustment: display brightness is spread as luminances are, but nowhere is contrast exaggerated. Brightness
 // is ln of luminance in cd/m^2. Source: Ward Larson, Rushmeier & Piatko, "A Visibility Matching Tone Reproduction
-// Operator for High Dynamic Range Scenes", IEEE Transactions on Visualization and Computer Graphics 3(4), 1997.
+// Operator for High Dynamic Range Scenes", IEEE Transactions on Visualization and Computer Graphics 3(4), 1997, section
+// on histogram adjustment.
 
 #include <functional>
 #include <optional>

@@ -13,10 +13,11 @@ namespace emulsion {
 
 /// adjusted_histogram() with the ceiling dLd / dY <= T(Ld) / T(Y), T = detection_threshold_cdm2(): what cannot be told
 /// apart in the world cannot be told apart on the display, so that dark scenes come out dark. Needs luminances in
-/// cd/m^2. Source: Ward Larson et al. 1997, the human contrast sensitivity ceiling. Departs from it in that contrast is
-/// held below linear as well, which that ceiling alone does not do where the display is darker than the world. What
-/// needs less than the display's range comes out linear, T(peak / 2) / T(Ya) Y / peak as in Ward 1994 (see
-/// ContrastScale), but no brighter than to bring the robust largest luminance to white.
+/// cd/m^2. Source: Ward Larson, Rushmeier & Piatko 1997 (histogram_adjustment.h), section on human contrast
+/// sensitivity. Departs from it in that contrast is held below linear as well, which that ceiling alone does not do
+/// where the display is darker than the world. What needs less than the display's range comes out linear, T(peak / 2) /
+/// T(Ya) Y / peak as in Ward 1994 (see ContrastScale), but no brighter than to bring the robust largest luminance to
+/// white.
 struct HistogramHuman {
     static constexpr std::string_view kName = "histogram-human";
     static constexpr std::string_view kHelp = "histogram adjustment, visible is what would be; needs cd/m^2";

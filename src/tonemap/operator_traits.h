@@ -6,7 +6,7 @@ namespace emulsion {
 /// What happens to a picture that is given in another unit of luminance.
 enum class UnitOfLuminance {
     cancels,         ///< the same picture comes out
-    nearly_cancels,  ///< the same if the units differ by a power of 2, or else within 2/255: LuminanceHistogram has
+    nearly_cancels,  ///< the same if the units differ by a power of 2, or else within 3/255: LuminanceHistogram has
                      ///< bins
     absolute,        ///< the operator is about luminances in cd/m^2: another picture comes out
 };

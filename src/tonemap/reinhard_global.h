@@ -23,16 +23,17 @@ struct ReinhardGlobal {
     static constexpr std::string_view kHelp = "photographic tone reproduction, one curve for all pixels";
     static constexpr OperatorTraits kTraits = {};
     float key = 0.18f;                                     ///< L given to Ya; finite, > 0, or 0: photographic_key()
-    float white = std::numeric_limits<float>::infinity();  ///< smallest L mapped to display white; > 0, or 0: largest L
+    float white = std::numeric_limits<float>::infinity();  ///< smallest L shown as white; > 0, or 0: robust largest
     bool operator==(const ReinhardGlobal&) const = default;
 
     static constexpr std::array kParameters = {
-        Parameter<ReinhardGlobal>{"key", &ReinhardGlobal::key, kNotNegativeFinite, "",
-                                  "scaled luminance given to the log-average, larger is brighter; auto: from the range",
-                                  "auto"},
+        Parameter<ReinhardGlobal>{
+            "key", &ReinhardGlobal::key, kNotNegativeFinite, "",
+            "scaled luminance given to the adaptation luminance, larger is brighter; auto: from the range", "auto"},
         Parameter<ReinhardGlobal>{
             "white", &ReinhardGlobal::white, kNotNegative, "",
-            "smallest scaled luminance shown as display white; auto: the largest, so that nothing burns out", "auto"}};
+            "smallest scaled luminance shown as display white; auto: the robust largest, past which a thousandth lie",
+            "auto"}};
 };
 
 /// 0.18 * 4^((2 log2 Lav - log2 Lmin - log2 Lmax) / (log2 Lmax - log2 Lmin)), the robust ends taken; 0.18 if they are

@@ -6,9 +6,9 @@
 
 namespace emulsion {
 
-/// Only rods see below the one, only cones above the other. Source: Larson, Rushmeier & Piatko, "A Visibility Matching
-/// Tone Reproduction Operator for High Dynamic Range Scenes", IEEE Trans. on Visualization and Computer Graphics 3(4),
-/// 1997, section on colour sensitivity.
+/// Only rods see below the one, only cones above the other. Source: Ward Larson, Rushmeier & Piatko, "A Visibility
+/// Matching Tone Reproduction Operator for High Dynamic Range Scenes", IEEE Transactions on Visualization and Computer
+/// Graphics 3(4), 1997, section on colour sensitivity.
 inline constexpr double kLeastMesopic_cdm2 = 0.0056, kMostMesopic_cdm2 = 5.6;
 
 /// V = Y (1.33 (1 + (Y + Z) / X) - 1.68), in scotopic cd/m^2: a fit to the colours of a chart. Source: as above,

@@ -7,8 +7,8 @@
 namespace emulsion {
 
 /// Part of the adaptation that is due to scattered light: 0.087, 0.913 being the fovea's. Source: Moon & Spencer, "The
-/// Visual Effect of Non-Uniform Surrounds", J. Opt. Soc. Am. 35(3), 1945, after Holladay, as Larson, Rushmeier & Piatko
-/// 1997 (rod_vision.h) have it in eq. 8 to 11.
+/// Visual Effect of Non-Uniform Surrounds", J. Opt. Soc. Am. 35(3), 1945, after Holladay, as Ward Larson, Rushmeier &
+/// Piatko 1997 (rod_vision.h) have it in eq. 8 to 11.
 inline constexpr double kVeilShare = 0.087;
 
 /// Light scattered by theta, in steradian^-1, relative: 1 / theta^2, as of the same source. Departs from it within the

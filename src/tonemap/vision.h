@@ -20,7 +20,7 @@ struct NoVision {
 };
 
 /// In this order, as it happens in the eye: veiling glare (veiling_glare.h), loss of acuity (acuity.h), rods
-/// (rod_vision.h). Source: Larson, Rushmeier & Piatko 1997; those headers say what is different.
+/// (rod_vision.h). Source: Ward Larson, Rushmeier & Piatko 1997; those headers say what is different.
 struct HumanVision {
     static constexpr std::string_view kName = "human";
     static constexpr std::string_view kHelp = "glare, blur in the dark, and the colours of the night; needs cd/m^2";

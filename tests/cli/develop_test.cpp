@@ -1,8 +1,10 @@
 // `emulsion develop`: what helps to choose an operator.
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +14,7 @@
 #include "film/exr_file.h"
 #include "run_program.h"
 #include "support/temporary_folder.h"
+#include "tonemap/bloom.h"
 #include "tonemap/tone_mapper.h"
 
 namespace emulsion::testing {
@@ -27,7 +30,8 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-std::string write_ramp(const TemporaryFolder& folder) {
+/// Luminances 1 to 64 cd/m^2 from left to right.
+FilmPicture ramp() {
     FilmPicture picture;
     picture.xyz = Image<XYZ>(64, 16);
     picture.data_window = {0, 0, 64, 16};
@@ -37,10 +41,16 @@ std::string write_ramp(const TemporaryFolder& folder) {
         for (int x = 0; x < 64; ++x)
             picture.xyz(x, y) = {1.0f + static_cast<float>(x), 1.0f + static_cast<float>(x), 9.0f};
     }
+    return picture;
+}
+
+std::string write_picture(const TemporaryFolder& folder, const FilmPicture& picture) {
     const std::string exr = folder.file("ramp.exr");
     (void)write_exr(exr, picture, {}, {});
     return exr;
 }
+
+std::string write_ramp(const TemporaryFolder& folder) { return write_picture(folder, ramp()); }
 
 // Names at the start of a line, everything else indented.
 TEST(Develop, ListsEveryOperatorAndAdaptation) {
@@ -55,10 +65,20 @@ TEST(Develop, ListsEveryOperatorAndAdaptation) {
     };
     expect_blocks("--list-tonemaps", names_of<ToneMapper>());
     expect_blocks("--list-adaptations", names_of<Adaptation>());
-    EXPECT_THAT(
-        run_program({"develop", "--list-tonemaps"}).out,
-        HasSubstr("\nfixed\n    linear, a given luminance becomes display white\n    white  [default: 100; range: (0, "
-                  "inf); unit: cd/m^2]\n"));
+    EXPECT_THAT(run_program({"develop", "--list-tonemaps"}).out,
+                HasSubstr("\nfixed\n    linear, a given luminance becomes display white\n    adapted to: log-average\n"
+                          "    white  [default: 100; range: (0, inf); unit: cd/m^2]\n"));
+}
+
+TEST(Develop, ListsAnOperatorsOwnAdaptationAndSaysWhereThereIsNoUnit) {
+    const std::string list = run_program({"develop", "--list-tonemaps"}).out;
+    for_each_alternative<ToneMapper>([&](const auto& mapper) {
+        EXPECT_THAT(
+            list, HasSubstr(std::string(mapper.kHelp) + "\n    adapted to: " + to_text(own_adaptation(mapper)) + '\n'));
+    });
+    EXPECT_THAT(list, HasSubstr("\n    key  [default: 0.18; range: auto or (0, inf); unit: none]\n"));
+    EXPECT_THAT(run_program({"develop", "--list-adaptations"}).out,
+                HasSubstr("\n    contrast  [default: 0.5; range: (0, 10]; unit: none]\n"));
 }
 
 TEST(Develop, WritesTheCurve) {
@@ -95,6 +115,64 @@ TEST(Develop, DrawsThreeExposures) {
     EXPECT_EQ(read_text(strip), own);
     EXPECT_EQ(run_program({"develop", exr, "--exposures", strip, "--tonemap", "fixed:white=32"}).exit_code, 0);
     EXPECT_NE(read_text(strip), own);
+}
+
+// Once, whatever is written.
+TEST(Develop, ReportsBadPixelsWithEveryOutput) {
+    const TemporaryFolder folder;
+    FilmPicture picture = ramp();
+    picture.xyz(5, 3).y = std::numeric_limits<float>::quiet_NaN();
+    picture.xyz(2, 9).y = -1.0f;
+    const std::string exr = write_picture(folder, picture);
+    const std::vector<std::vector<std::string>> outputs = {{"-o", folder.file("ramp.png")},
+                                                           {"--contact-sheet", folder.file("sheet.png")},
+                                                           {"--exposures", folder.file("strip.png")},
+                                                           {"--curve", folder.file("curve.csv")}};
+    std::vector<std::string> all = {"develop", exr, "--bloom", "quartic"};
+    const auto expect_one_report = [](const std::vector<std::string>& arguments) {
+        const ProgramResult result = run_program(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.err,
+                  "emulsion: warning: 2 of 1024 pixels are bad (1 NaN, 0 infinite, 1 of negative luminance), the first "
+                  "at 5, 3\n");
+    };
+    for (const std::vector<std::string>& output : outputs) {
+        expect_one_report({"develop", exr, output[0], output[1]});
+        all.insert(all.end(), output.begin(), output.end());
+    }
+    expect_one_report(all);
+}
+
+TEST(Develop, ContactSheetIsUnderTheAdaptationThatIsGiven) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), own = folder.file("own.png"), dark = folder.file("dark.png");
+    EXPECT_EQ(run_program({"develop", exr, "--contact-sheet", own}).exit_code, 0);
+    EXPECT_EQ(run_program({"develop", exr, "--contact-sheet", dark, "--adaptation", "spot:x=0"}).exit_code, 0);
+    EXPECT_NE(read_text(own), read_text(dark));
+}
+
+// Exposures and zones are those of a picture that has bloomed before.
+TEST(Develop, MeasuresThePictureAfterBloom) {
+    const TemporaryFolder folder;
+    FilmPicture picture = ramp();
+    for (XYZ& pixel : picture.xyz.pixels()) pixel = {1.0f, 1.0f, 1.0f};
+    for (const int x : {16, 32, 48}) picture.xyz(x, 8) = {1024.0f, 1024.0f, 1024.0f};
+    const std::string strip = folder.file("strip.png");
+    const auto measured = [&](const std::string& bloom) {
+        const std::string exr = write_picture(folder, picture);
+        const ProgramResult result =
+            run_program({"develop", exr, "--exposures", strip, "--tonemap", "zone", "--bloom", bloom});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.out, StartsWith("the picture spans "));
+        return std::pair(result.out, read_text(strip));
+    };
+    const auto plain = measured("none");
+    const auto bloomed = measured("quartic:weight=0.9");
+    picture.xyz = add_bloom(QuarticBloom{.weight = 0.9f}, picture.xyz.view(), 0);
+    const auto bloomed_before = measured("none");
+    EXPECT_EQ(bloomed, bloomed_before);
+    EXPECT_NE(bloomed.first, plain.first);
+    EXPECT_NE(bloomed.second, plain.second);
 }
 
 TEST(Develop, SaysHowManyZonesThePictureSpans) {

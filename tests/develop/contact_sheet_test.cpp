@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -24,6 +25,17 @@ TEST(ContactSheet, HasATileForEveryOperator) {
         const double shrink = std::min(1.0, 32.0 / std::max(width, height));
         const auto tile = std::max(1L, std::lround(shrink * width)) * std::max(1L, std::lround(shrink * height));
         EXPECT_EQ(count_of(sheet, {}), tile * static_cast<long>(std::variant_size_v<ToneMapper>)) << width;
+    }
+}
+
+TEST(ContactSheet, TilesAreAdaptedToWhatIsGiven) {
+    const Adaptation spot = SpotAdaptation{.x = 0.0f, .radius = 0.1f};
+    const std::vector<ContactTile> own = operator_tiles(), given = operator_tiles(spot);
+    ASSERT_EQ(given.size(), own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        EXPECT_EQ(given[i].label, own[i].label);
+        EXPECT_EQ(given[i].mapping, (ToneMapping{own[i].mapping.mapper, spot})) << own[i].label;
+        EXPECT_EQ(own[i].mapping.adaptation, std::nullopt) << own[i].label;
     }
 }
 
