@@ -129,7 +129,7 @@ void transfer_twin(benchmark::State& state) {
 void dither(benchmark::State& state) {
     const auto chosen = alternative_of_range<Dither>(state);
     const Image<RGB> encoded = picture_after(3);
-    Image<CodeRGB> codes = quantize(chosen, encoded.view(), 1);
+    Image<CodeRGB> codes = quantize(chosen, encoded.view(), {}, 1);
     double difference = 0.0;
     for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
         difference += codes.pixels()[i].g / 255.0 - encoded.pixels()[i].g;
@@ -158,7 +158,7 @@ void whole_chain(benchmark::State& state) {
         quantize_into(chosen, encoded.view(), codes.view(), 1);
         benchmark::ClobberMemory();
     }
-    if (codes != quantize(chosen, picture_after(3).view(), 1)) state.SkipWithError("differs from its stages");
+    if (codes != quantize(chosen, picture_after(3).view(), {}, 1)) state.SkipWithError("differs from its stages");
     count_pixels(state);
 }
 

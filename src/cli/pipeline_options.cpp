@@ -29,7 +29,8 @@ void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, con
             "{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}",
             counts.bad(), developed.image.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
     }
-    write_png(png, developed.image, {.text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+    write_png(png, developed.image,
+              {.bits = pipeline.bits, .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
 }
 
 }  // namespace emulsion::cli

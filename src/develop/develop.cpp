@@ -62,7 +62,7 @@ DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline&
     Image<RGB> encoded(display_xyz.width(), display_xyz.height());
     DevelopReport report;
     report.gamut = encode_rows(display_xyz, pipeline, encoded, threads);
-    return {quantize(pipeline.dither, encoded.view(), threads), report};
+    return {quantize(pipeline.dither, encoded.view(), code_scale(pipeline.bits, pipeline.range), threads), report};
 }
 
 }  // namespace emulsion

@@ -12,7 +12,6 @@ namespace emulsion {
 
 namespace {
 
-constexpr ParameterRange kBits = {8.0, 8.0};
 constexpr std::string_view kOwn = "own";  // a stage that is left to another
 
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
@@ -26,6 +25,7 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
     visitor("bits", pipeline.bits);
+    visitor("range", pipeline.range);
     visitor("dither", pipeline.dither);
 }
 
@@ -40,7 +40,7 @@ std::string stage_text(const std::optional<Variant>& stage) {
     return stage ? to_text(*stage) : std::string(kOwn);
 }
 
-void validate_stage(std::string_view key, int bits) { check_range(bits, kBits, key); }
+void validate_stage(std::string_view key, int bits) { check_range(bits, kCodeBits, key); }
 template <NamedVariant Variant>
 void validate_stage(std::string_view key, const Variant& stage) {
     validate_named(stage, key);
@@ -115,6 +115,7 @@ Pipeline parse_pipeline(std::string_view text) {
 
 void validate(const Pipeline& pipeline) {
     for_each_stage(pipeline, [](std::string_view key, const auto& stage) { validate_stage(key, stage); });
+    (void)code_scale(pipeline.bits, pipeline.range);
 }
 
 }  // namespace emulsion

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "display/code_value.h"
 #include "display/display_rgb.h"
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
@@ -17,7 +18,7 @@ namespace emulsion {
 
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip
-///     transfer=srgb bits=8 dither=floyd-steinberg
+///     transfer=srgb bits=8 range=full dither=floyd-steinberg
 struct Pipeline {
     Bloom bloom = NoBloom{};                     ///< "bloom"
     Vision vision = NoVision{};                  ///< "vision"
@@ -26,7 +27,8 @@ struct Pipeline {
     Display display = SrgbDisplay{};             ///< "display"
     GamutMapper gamut = GamutClip{};             ///< "gamut"
     TransferFunction transfer = SrgbTransfer{};  ///< "transfer"
-    int bits = 8;                                ///< "bits" of a code value; 8 is the only one yet
+    int bits = 8;                                ///< "bits" of a code value; 1 to 16
+    CodeRange range = FullRange{};               ///< "range" of code values
     Dither dither = FloydSteinberg{};            ///< "dither"
     bool operator==(const Pipeline&) const = default;
 };
