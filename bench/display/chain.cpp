@@ -136,7 +136,7 @@ void dither(benchmark::State& state) {
     }
     if (std::abs(difference) / (kSize_px * kSize_px) > 1e-4) return state.SkipWithError("mean not kept");
     for (auto _ : state) {
-        quantize_into(chosen, encoded.view(), codes.view(), 1);
+        quantize_into(chosen, encoded.view(), {}, codes.view(), 1);
         benchmark::ClobberMemory();
     }
     count_pixels(state);
@@ -155,7 +155,7 @@ void whole_chain(benchmark::State& state) {
             benchmark::DoNotOptimize(map_gamut(GamutMapper{}, row));
             encode_row(row);
         }
-        quantize_into(chosen, encoded.view(), codes.view(), 1);
+        quantize_into(chosen, encoded.view(), {}, codes.view(), 1);
         benchmark::ClobberMemory();
     }
     if (codes != quantize(chosen, picture_after(3).view(), {}, 1)) state.SkipWithError("differs from its stages");

@@ -19,7 +19,7 @@ struct PngText {
 
 struct PngOptions {
     int bits = 8;  ///< of the picture's codes, full range; 1 to 16
-    std::vector<PngText> text;
+    std::vector<PngText> text = {};
 };
 
 /// Writes RGB of 8 bits, or of 16 where codes have more than 8; codes of other than 8 or 16 bits are spread over all

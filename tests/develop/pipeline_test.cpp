@@ -80,7 +80,7 @@ TEST(Pipeline, TextOfTheDefault) {
     EXPECT_EQ(
         to_text(Pipeline{}),
         "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip "
-        "transfer=srgb bits=8 dither=floyd-steinberg");
+        "transfer=srgb bits=8 range=full dither=floyd-steinberg");
 }
 
 TEST(Pipeline, EveryCombinationReadsBackAsTheSameValue) {
@@ -148,12 +148,12 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, dither, bloom, adaptation, display, "
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, display, "
               "gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");
-    EXPECT_EQ(message_of("bits=10"), "bits = 10: must be in [8, 8]");
+    EXPECT_EQ(message_of("bits=17"), "bits = 17: must be in [1, 16]");
     EXPECT_EQ(message_of("bits=x"), "bits = \"x\": not a whole number");
     EXPECT_EQ(message_of("dither"), "pipeline: found \"dither\", expected stage=value");
     EXPECT_EQ(message_of("bits=8 bits=8"), "pipeline: bits given twice");
@@ -167,9 +167,9 @@ TEST(Pipeline, ValidateNamesTheStage) {
     EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
                                                  "adaptation centre-weighted: sigma = 0: must be in (0, inf)"));
     pipeline = {};
-    pipeline.bits = 16;
+    pipeline.bits = 17;
     EXPECT_THAT([&] { validate(pipeline); },
-                testing::ThrowsMessage<std::invalid_argument>("bits = 16: must be in [8, 8]"));
+                testing::ThrowsMessage<std::invalid_argument>("bits = 17: must be in [1, 16]"));
     pipeline = {};
     pipeline.tone_mapper = ReinhardGlobal{-1.0f};
     EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
