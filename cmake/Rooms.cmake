@@ -20,7 +20,8 @@ function(emulsion_program)
   target_link_libraries(emulsion PRIVATE emulsion_settings emulsion::cli CLI11::CLI11)
 endfunction()
 
-# One test program per room: test_film of tests/film/*.cpp, its cases found by ctest.
+# One test program per room: test_film of tests/film/*.cpp, its cases found by ctest. Those of suites "Long/..." get the
+# label "long", without which scripts/test leaves them out.
 function(emulsion_test_room name)
   cmake_parse_arguments(room "" "" "LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
@@ -31,8 +32,11 @@ function(emulsion_test_room name)
   target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} emulsion_test_support GTest::gmock_main)
   target_compile_definitions(test_${name} PRIVATE
     EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER -Long/* DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT 600 ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER Long/* TEST_LIST test_${name}_long
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT 600 LABELS long ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
 endfunction()
 
 # One benchmark program per file: bench_film_add of bench/film/add.cpp.

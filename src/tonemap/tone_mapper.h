@@ -87,9 +87,10 @@ struct CurvePoint {
 /// The double-precision twin, on one thread: the operator's functions for each pixel, and local adaptations as their
 /// sources have them. Of operators under one adaptation for the picture, tone_map() is within 2e-4 of it, relative in
 /// each component, down to 1e-37 absolute, and up to its limit of 2^100; where a curve has a corner, within 4e-3.
-/// Of operators under their own local adaptation, on three pictures (tests/develop/local_operators_test.cpp), CIEDE2000
-/// is at most 0.1 on average and 2.5 anywhere; so it is between a picture and the same turned or mirrored, 0.01 where
-/// both sizes are multiples of 16, but 3.5 for local-adaptation next to the edges of odd sizes.
+/// As colours on a display, on three pictures (tests/develop/operator_differences_test.cpp), CIEDE2000 is then at most
+/// 0.001 on average and 0.01 anywhere; of operators under their own local adaptation, 0.1 on average and 2.5 anywhere.
+/// So it is between a picture and the same turned or mirrored, 0.01 where both sizes are multiples of 16, but 3.5 for
+/// local-adaptation next to the edges of odd sizes.
 [[nodiscard]] Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene,
                                              const XYZd& display_white);
 
