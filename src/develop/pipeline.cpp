@@ -21,6 +21,7 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
+    visitor("white", pipeline.white);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
@@ -90,6 +91,10 @@ void parse_word(std::string_view word, Pipeline& pipeline, std::vector<std::stri
 
 }  // namespace
 
+TransferFunction transfer_of(const Pipeline& pipeline) {
+    return pipeline.transfer ? *pipeline.transfer : own_transfer(pipeline.display);
+}
+
 std::string to_text(const Pipeline& pipeline) {
     std::string text;
     for_each_stage(pipeline, [&](std::string_view key, const auto& stage) {
@@ -110,11 +115,14 @@ Pipeline parse_pipeline(std::string_view text) {
         parse_word(text.substr(begin, end - begin), pipeline, seen);
         begin = text.find_first_not_of(kSpace, end);
     }
+    validate(pipeline);
     return pipeline;
 }
 
 void validate(const Pipeline& pipeline) {
     for_each_stage(pipeline, [](std::string_view key, const auto& stage) { validate_stage(key, stage); });
+    validate(pipeline.display);
+    validate(pipeline.white, pipeline.display);
     (void)code_scale(pipeline.bits, pipeline.range);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A smooth rising curve from 0..1 to 0..1 as a table: the fast path of transfer functions.
+// A smooth rising curve of arguments in 0..1 as a table: the fast path of transfer functions.
 
 #include <algorithm>
 #include <bit>
@@ -15,11 +15,11 @@ namespace emulsion {
 /// even steps does. For a power x^p the parabolas are within p |p - 1| |p - 2| 3e-8 of the curve.
 class CurveTable {
   public:
-    /// \param curve rising on [smallest, 1], with curve(1) = 1
+    /// \param curve rising on [smallest, 1]
     /// \param smallest where the table starts; in (0, 1)
     CurveTable(const std::function<double(double)>& curve, float smallest);
 
-    /// For x in [smallest, 1]; 1 for every other x, NaN too.
+    /// For x in [smallest, 1]; the value at 1 for every other x, NaN too.
     [[nodiscard]] float operator()(float x) const noexcept {
         const auto bits = std::bit_cast<std::uint32_t>(x);
         const std::uint32_t index = std::min((bits >> kFractionBits) - first_, last_);  // wraps round below `first_`

@@ -26,11 +26,15 @@ float last_float_of_toe(double knee) noexcept {
 
 /// Curves without a knee: the table down to the least normal float, below it what 0 has: 2.6e-8 off at the most, for
 /// gamma 5.
-template <class T>
-AnyEncoder encoder_of(const T& transfer) {
-    const auto curve = [&](double x) { return encode(transfer, x); };
+template <class Curve>
+AnyEncoder encoder_of_curve(const Curve& curve) {
     const float last = std::nextafter(kLeastFloat, 0.0f);
     return StraightToeEncoder{last, 0.0f, static_cast<float>(curve(0.0)), CurveTable(curve, kLeastFloat)};
+}
+
+template <class T>
+AnyEncoder encoder_of(const T& transfer) {
+    return encoder_of_curve([&](double x) { return encode(transfer, x); });
 }
 
 template <HasStraightToe T>
@@ -87,6 +91,9 @@ TransferEncoder::TransferEncoder(const TransferFunction& transfer) {
     validate_named(transfer, "transfer");
     encoder_ = std::visit([](const auto& chosen) { return encoder_of(chosen); }, transfer);
 }
+
+TransferEncoder::TransferEncoder(const PqTransfer& transfer, const DisplayLight& light)
+    : encoder_(encoder_of_curve([&](double x) { return encode(transfer, pq_linear(light, x)); })) {}
 
 void TransferEncoder::operator()(std::span<RGB> linear) const noexcept {
     visit_noexcept([&](const auto& encoder) { encode_all(encoder, linear); }, encoder_);

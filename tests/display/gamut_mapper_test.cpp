@@ -31,7 +31,7 @@ TEST(GamutMapper, AnyBitsComeOutInRange) {
             p = {std::bit_cast<float>(random.next()), std::bit_cast<float>(random.next()),
                  std::bit_cast<float>(random.next())};
         }
-        const GamutCounts counts = map_gamut(GamutMapper(mapper), pixels);
+        const GamutCounts counts = map_gamut(GamutMapper(mapper), display_gamut(SrgbDisplay{}), pixels);
         for (const RGB& p : pixels) {
             for (const float v : {p.r, p.g, p.b}) ASSERT_TRUE(v >= 0.0f && v <= 1.0f && !std::signbit(v)) << v;
         }
@@ -48,14 +48,14 @@ TEST(GamutMapper, ColoursInsideStayAsTheyAreAndAreNotCounted) {
             pixels.push_back({random.next_float(), random.next_float(), random.next_float()});
         }
         const std::vector<RGB> before = pixels;
-        EXPECT_EQ(map_gamut(GamutMapper(mapper), pixels), GamutCounts{});
+        EXPECT_EQ(map_gamut(GamutMapper(mapper), display_gamut(SrgbDisplay{}), pixels), GamutCounts{});
         EXPECT_EQ(pixels, before);
     });
 }
 
 TEST(GamutClip, TakesEachComponentByItself) {
     std::vector<RGB> pixels{{1.5f, -0.25f, 0.5f}, {-0.0f, kNan, 2.0f}, {kInf, -kInf, 1.0f}, {1.0f, 0.0f, 0.0f}};
-    const GamutCounts counts = map_gamut(GamutClip{}, pixels);
+    const GamutCounts counts = map_gamut(GamutClip{}, display_gamut(SrgbDisplay{}), pixels);
     EXPECT_TRUE(same_bits(pixels[0], {1.0f, 0.0f, 0.5f}));
     EXPECT_TRUE(same_bits(pixels[1], {0.0f, 0.0f, 1.0f}));
     EXPECT_TRUE(same_bits(pixels[2], {1.0f, 0.0f, 1.0f}));
@@ -64,11 +64,11 @@ TEST(GamutClip, TakesEachComponentByItself) {
 
 TEST(GamutClip, RoundingIsNotOutside) {
     std::vector<RGB> pixels{{std::nextafter(1.0f, 2.0f), -1e-7f, 0.0f}};
-    GamutCounts counts = map_gamut(GamutClip{}, pixels);
+    GamutCounts counts = map_gamut(GamutClip{}, display_gamut(SrgbDisplay{}), pixels);
     EXPECT_EQ(counts.outside, 0);
     EXPECT_FLOAT_EQ(counts.largest_excess, std::nextafter(1.0f, 2.0f) - 1.0f);
     pixels = {{1.0f + 2.0f * kGamutTolerance, 0.0f, 0.0f}, {0.0f, -2.0f * kGamutTolerance, 0.0f}};
-    counts = map_gamut(GamutClip{}, pixels);
+    counts = map_gamut(GamutClip{}, display_gamut(SrgbDisplay{}), pixels);
     EXPECT_EQ(counts.outside, 2);
 }
 
