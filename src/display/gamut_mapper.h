@@ -9,11 +9,14 @@
 #include "display/display_gamut.h"
 #include "display/gamut_clip.h"
 #include "display/gamut_counts.h"
+#include "display/gamut_desaturate.h"
+#include "display/gamut_none.h"
+#include "display/gamut_oklab.h"
 
 namespace emulsion {
 
 /// All gamut mappers; the first is the default.
-using GamutMapper = std::variant<GamutClip>;
+using GamutMapper = std::variant<GamutClip, GamutDesaturate, GamutOklab, GamutNone>;
 
 /// One colour in double precision, the twin. Components are finite, below 2^300; those of a colour in [0, 1]^3 stay as
 /// they are, others come out inside but of `none`.
