@@ -32,13 +32,16 @@ void display_rgb(const RgbFromXyz& conversion, std::span<const XYZ> xyz, std::sp
             m[row][column] = static_cast<float>(conversion.matrix.m[row][column]);
         }
     }
-    const auto pedestal = static_cast<float>(conversion.pedestal);
+    // Component by component: GCC 12 makes no vectors of loops that copy whole pixels.
     for (std::size_t i = 0; i < xyz.size(); ++i) {
-        const XYZ p = xyz[i];
-        rgb[i] = {m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z - pedestal,
-                  m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z - pedestal,
-                  m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z - pedestal};
+        const float x = xyz[i].x, y = xyz[i].y, z = xyz[i].z;
+        rgb[i].r = m[0][0] * x + m[0][1] * y + m[0][2] * z;
+        rgb[i].g = m[1][0] * x + m[1][1] * y + m[1][2] * z;
+        rgb[i].b = m[2][0] * x + m[2][1] * y + m[2][2] * z;
     }
+    const auto pedestal = static_cast<float>(conversion.pedestal);
+    if (pedestal == 0.0f) return;
+    for (RGB& p : rgb) p = {p.r - pedestal, p.g - pedestal, p.b - pedestal};
 }
 
 }  // namespace emulsion

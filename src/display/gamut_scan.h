@@ -2,6 +2,7 @@
 // The loop that all gamut mappers share: pixels inside the gamut are left as they are.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -16,7 +17,8 @@ namespace emulsion {
 
 /// Distance from [0, 1], 0 inside; 0 for NaN.
 [[nodiscard]] inline float gamut_excess(float component) noexcept {
-    return std::max({0.0f, -component, component - 1.0f});
+    const float below = 0.0f < -component ? -component : 0.0f;
+    return below < component - 1.0f ? component - 1.0f : below;
 }
 
 /// The nearest colour component by component; NaN and -0 as +0.
@@ -35,23 +37,46 @@ namespace emulsion {
     return largest <= std::bit_cast<std::uint32_t>(1.0f);
 }
 
+inline constexpr std::size_t kGamutBlock_px = 64;
+
+/// What is outside in a block, and by how much: the largest distance of a component from [0, 1] for each pixel.
+struct GamutBlock {
+    std::array<float, kGamutBlock_px> excess;
+    GamutCounts counts;
+};
+
+/// \param block of up to kGamutBlock_px pixels. Loops without branches, which compilers make vectors of.
+[[nodiscard]] inline GamutBlock measure(std::span<const RGB> block) noexcept {
+    GamutBlock found;
+    std::array<std::int32_t, kGamutBlock_px> nan;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        const RGB& p = block[i];
+        nan[i] = static_cast<std::int32_t>(p.r != p.r) | static_cast<std::int32_t>(p.g != p.g) |
+                 static_cast<std::int32_t>(p.b != p.b);
+        found.excess[i] = std::max(std::max(gamut_excess(p.r), gamut_excess(p.g)), gamut_excess(p.b));
+    }
+    std::int32_t nans = 0, outside = 0, largest = 0;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        nans += nan[i];
+        outside += static_cast<std::int32_t>(found.excess[i] > kGamutTolerance) & ~nan[i];
+        // Floats that aren't negative are in the order of their bits.
+        largest = std::max(largest, std::bit_cast<std::int32_t>(found.excess[i]));
+    }
+    found.counts = {outside, nans, std::bit_cast<float>(largest)};
+    return found;
+}
+
 /// Replaces each pixel that is not inside by inside(pixel, excess), with the largest distance of a component from
 /// [0, 1], and counts. Blocks of pixels that are all inside, as most are, are only looked at.
 template <class Inside>
 GamutCounts map_outside(std::span<RGB> linear, const Inside& inside) noexcept {
-    constexpr std::size_t kBlock_px = 64;
     GamutCounts counts;
-    for (std::size_t begin = 0; begin < linear.size(); begin += kBlock_px) {
-        const std::span<RGB> block = linear.subspan(begin, std::min(kBlock_px, linear.size() - begin));
+    for (std::size_t begin = 0; begin < linear.size(); begin += kGamutBlock_px) {
+        const std::span<RGB> block = linear.subspan(begin, std::min(kGamutBlock_px, linear.size() - begin));
         if (all_inside(block)) continue;
-        for (RGB& rgb : block) {
-            const bool nan = std::isnan(rgb.r) || std::isnan(rgb.g) || std::isnan(rgb.b);
-            const float largest = std::max({gamut_excess(rgb.r), gamut_excess(rgb.g), gamut_excess(rgb.b)});
-            counts.nan += nan ? 1 : 0;
-            counts.outside += !nan && largest > kGamutTolerance ? 1 : 0;
-            counts.largest_excess = std::max(counts.largest_excess, largest);
-            rgb = inside(rgb, largest);
-        }
+        const GamutBlock found = measure(block);
+        counts += found.counts;
+        for (std::size_t i = 0; i < block.size(); ++i) block[i] = inside(block[i], found.excess[i]);
     }
     return counts;
 }
