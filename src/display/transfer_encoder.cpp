@@ -7,7 +7,8 @@ namespace emulsion {
 
 namespace {
 
-using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder>;
+using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder<GammaTransfer>,
+                                ExactEncoder<TableTransfer>>;
 
 /// The least normal float: the table's segments widen to octaves and more below it.
 constexpr float kLeastFloat = std::numeric_limits<float>::min();
@@ -47,7 +48,7 @@ AnyEncoder encoder_of(const T& transfer) {
 AnyEncoder encoder_of(const LinearTransfer& /*transfer*/) { return IdentityEncoder{}; }
 
 AnyEncoder encoder_of(const GammaTransfer& transfer) {
-    if (transfer.exponent < 1.0) return ExactEncoder{transfer};
+    if (transfer.exponent < 1.0) return ExactEncoder<GammaTransfer>{transfer};
     return encoder_of<GammaTransfer>(transfer);
 }
 
@@ -57,6 +58,8 @@ AnyEncoder encoder_of(const Bt1886Transfer& transfer) {
     const auto curve = [&](double x) { return encode(transfer, x); };
     return StraightToeEncoder{black, 0.0f, 0.0f, CurveTable(curve, black)};
 }
+
+AnyEncoder encoder_of(const TableTransfer& transfer) { return ExactEncoder<TableTransfer>{transfer}; }
 
 AnyEncoder encoder_of(const HlgTransfer& transfer) {
     const float last = last_float_of_toe(HlgTransfer::kLinearKnee);
@@ -78,7 +81,8 @@ void encode_all(const SquareRootToeEncoder& encoder, std::span<RGB> linear) noex
     for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
 }
 
-void encode_all(const ExactEncoder& encoder, std::span<RGB> linear) noexcept {
+template <class Transfer>
+void encode_all(const ExactEncoder<Transfer>& encoder, std::span<RGB> linear) noexcept {
     const auto encoded = [&](float x) noexcept {
         return static_cast<float>(encode(encoder.transfer, static_cast<double>(x)));
     };

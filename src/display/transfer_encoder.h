@@ -27,9 +27,11 @@ struct SquareRootToeEncoder {
     CurveTable above;
 };
 
-/// The specification itself: gammas below 1, which are steep near 1, where the segments of the table are widest.
+/// The specification itself, of functions that parabolas don't fit: gammas below 1, which are steep near 1, where the
+/// segments of the table are widest, and measured tables with their kinks.
+template <class Transfer>
 struct ExactEncoder {
-    GammaTransfer transfer;
+    Transfer transfer;
 };
 
 /// What PQ takes for the linear signal x in [0, 1] of a display: (black + x (peak - black)) / 10000 cd/m^2.
@@ -54,7 +56,9 @@ class TransferEncoder {
     void operator()(std::span<RGB> linear) const noexcept;
 
   private:
-    std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder> encoder_;
+    std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder<GammaTransfer>,
+                 ExactEncoder<TableTransfer>>
+        encoder_;
 };
 
 }  // namespace emulsion
