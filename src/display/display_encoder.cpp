@@ -25,7 +25,6 @@ TransferEncoder encoder_of(const Display& display, const TransferFunction& trans
 }  // namespace
 
 RGBd encode_signal(const Display& display, const TransferFunction& transfer, const RGBd& signal) {
-    validate(display);
     const DisplayLight light = light_of(display);
     RGBd linear = signal;
     if (has_system_gamma(display, transfer)) {

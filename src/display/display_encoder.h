@@ -15,7 +15,7 @@ namespace emulsion {
 /// The transfer function of each component; two of them take something else than the display's signal s:
 ///   PQ, on any display: the luminance shown, (black + s (peak - black)) / 10000 cd/m^2;
 ///   HLG, on the display "hlg": the light of the scene, by hlg_scene_light(). On other displays it takes s.
-/// Double precision. \throws std::invalid_argument if the display isn't valid.
+/// Double precision. \param display and \param transfer as validate() and validate_named() ask for
 [[nodiscard]] RGBd encode_signal(const Display& display, const TransferFunction& transfer, const RGBd& signal);
 
 /// The same for pictures, made ready once: with the tolerance of TransferEncoder, and that of HlgSceneLight before it.
