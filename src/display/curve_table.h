@@ -28,16 +28,21 @@ class CurveTable {
         return segment.start + t * (segment.linear + t * segment.square);
     }
 
-  private:
-    static constexpr std::uint32_t kFractionBits = 17;  // 23 bits of significand: 6 choose the segment
+    static constexpr std::uint32_t kFractionBits = 17;  ///< 23 bits of significand: 6 choose the segment
     static constexpr std::uint32_t kFractionMask = (std::uint32_t{1} << kFractionBits) - 1;
     static constexpr float kPerSegment = 0x1p-17f;
 
     /// start + t linear + t^2 square, t in [0, 1) over the segment.
-    struct Segment {
-        float start, linear, square;
+    struct alignas(16) Segment {
+        float start, linear, square, unused;
     };
 
+    /// The parts, for curve_vectors.h.
+    [[nodiscard]] std::uint32_t first() const noexcept { return first_; }
+    [[nodiscard]] std::uint32_t last() const noexcept { return last_; }
+    [[nodiscard]] const Segment* segments() const noexcept { return segments_.data(); }
+
+  private:
     std::uint32_t first_, last_;  // numbers of the segments of `smallest` and 1, the second less the first
     std::vector<Segment> segments_;
 };

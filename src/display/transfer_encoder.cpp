@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "display/curve_vectors.h"
+
 namespace emulsion {
 
 namespace {
@@ -73,12 +75,24 @@ void encode_all(const StraightToeEncoder& encoder, std::span<RGB> linear) noexce
     const auto encoded = [&](float x) noexcept {
         return x <= encoder.last ? encoder.offset + encoder.slope * x : encoder.above(x);
     };
-    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+    const Four tag;
+    const auto last = hn::Set(tag, encoder.last), slope = hn::Set(tag, encoder.slope),
+               offset = hn::Set(tag, encoder.offset);
+    const auto vectors = [&](FourFloats x) noexcept {
+        const auto toe = hn::Add(offset, hn::Mul(slope, x));
+        return hn::IfThenElse(hn::Le(x, last), toe, lookup(encoder.above, x));
+    };
+    replace_components(linear, vectors, encoded);
 }
 
 void encode_all(const SquareRootToeEncoder& encoder, std::span<RGB> linear) noexcept {
     const auto encoded = [&](float x) noexcept { return x <= encoder.last ? std::sqrt(3.0f * x) : encoder.above(x); };
-    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+    const Four tag;
+    const auto last = hn::Set(tag, encoder.last), three = hn::Set(tag, 3.0f);
+    const auto vectors = [&](FourFloats x) noexcept {
+        return hn::IfThenElse(hn::Le(x, last), hn::Sqrt(hn::Mul(three, x)), lookup(encoder.above, x));
+    };
+    replace_components(linear, vectors, encoded);
 }
 
 template <class Transfer>

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
@@ -109,6 +110,25 @@ TEST(TransferEncoder, NeverFallsButAtARoundedKnee) {
                                      static_cast<double>(linear[i]) >= 0.0181;
             if (srgb_knee || bt2020_knee) continue;
             ASSERT_LE(encoded[i - 1], encoded[i]) << to_text(transfer) << " at " << linear[i];
+        }
+    }
+}
+
+// Pixels that don't fill a vector go another way, to the same bits; those outside of [0, 1], too.
+TEST(TransferEncoder, EveryPixelHasTheSameBitsAloneAndInARow) {
+    std::vector<float> linear = floats_of_unit_interval();
+    for (const float odd : {-1.0f, -0.0f, 1.5f, 1e30f, -1e30f, std::numeric_limits<float>::quiet_NaN(),
+                            std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+        linear.push_back(odd);
+    }
+    for (const TransferFunction& transfer : all_transfers()) {
+        const TransferEncoder encoder(transfer);
+        const std::vector<float> together = encode_fast(transfer, linear);
+        for (std::size_t i = 0; i < linear.size(); i += i + 1000 < linear.size() ? 97 : 1) {
+            RGB alone{linear[i], linear[i], linear[i]};
+            encoder({&alone, 1});
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(alone.g), std::bit_cast<std::uint32_t>(together[i]))
+                << to_text(transfer) << " of " << linear[i];
         }
     }
 }
