@@ -13,6 +13,8 @@
 
 #include "core/named_value.h"
 #include "core/random.h"
+#include "display/display_encoder.h"
+#include "display/display_gamut.h"
 #include "display/display_rgb.h"
 #include "display/dither.h"
 #include "display/gamut_mapper.h"
@@ -43,7 +45,7 @@ const Image<XYZ>& display_xyz() {
 Image<RGB> picture_after(int stages) {
     Image<RGB> image(kSize_px, kSize_px);
     display_rgb(rgb_from_xyz(Display{}), display_xyz().pixels(), image.pixels());
-    if (stages >= 2) benchmark::DoNotOptimize(map_gamut(GamutMapper{}, image.pixels()));
+    if (stages >= 2) benchmark::DoNotOptimize(map_gamut(GamutMapper{}, display_gamut(Display{}), image.pixels()));
     if (stages >= 3) TransferEncoder(TransferFunction{})(image.pixels());
     return image;
 }
@@ -62,16 +64,16 @@ void memory_copy(benchmark::State& state) {
 }
 
 void to_display_rgb(benchmark::State& state) {
-    const Matrix3 matrix = rgb_from_xyz(Display{});
+    const RgbFromXyz conversion = rgb_from_xyz(Display{});
     Image<RGB> image(kSize_px, kSize_px);
-    display_rgb(matrix, display_xyz().pixels(), image.pixels());
+    display_rgb(conversion, display_xyz().pixels(), image.pixels());
     for (std::size_t i = 0; i < image.pixels().size(); ++i) {
         const XYZ& p = display_xyz().pixels()[i];
-        const RGBd exact = display_rgb(matrix, XYZd{p.x, p.y, p.z});
+        const RGBd exact = display_rgb(conversion, XYZd{p.x, p.y, p.z});
         if (std::abs(image.pixels()[i].r - exact.r) > 4e-6) return state.SkipWithError("off its twin");
     }
     for (auto _ : state) {
-        display_rgb(matrix, display_xyz().pixels(), image.pixels());
+        display_rgb(conversion, display_xyz().pixels(), image.pixels());
         benchmark::ClobberMemory();
     }
     count_pixels(state);
@@ -94,15 +96,18 @@ void time_in_place(benchmark::State& state, const Image<RGB>& before, const Stag
 
 void gamut(benchmark::State& state) {
     const auto mapper = alternative_of_range<GamutMapper>(state);
+    const DisplayGamut srgb_gamut = display_gamut(Display{});
     const Image<RGB> before = picture_after(1);
     Image<RGB> after = before;
-    benchmark::DoNotOptimize(map_gamut(mapper, after.pixels()));
+    benchmark::DoNotOptimize(map_gamut(mapper, srgb_gamut, after.pixels()));
     for (const RGB& p : after.pixels()) {
         for (const float v : {p.r, p.g, p.b}) {
-            if (!(v >= 0.0f && v <= 1.0f)) return state.SkipWithError("out of gamut");
+            if (!(v >= 0.0f && v <= 1.0f) && !std::holds_alternative<GamutNone>(mapper))
+                return state.SkipWithError("out of gamut");
         }
     }
-    time_in_place(state, before, [&](std::span<RGB> row) { benchmark::DoNotOptimize(map_gamut(mapper, row)); });
+    time_in_place(state, before,
+                  [&](std::span<RGB> row) { benchmark::DoNotOptimize(map_gamut(mapper, srgb_gamut, row)); });
 }
 
 void transfer(benchmark::State& state) {
@@ -129,14 +134,14 @@ void transfer_twin(benchmark::State& state) {
 void dither(benchmark::State& state) {
     const auto chosen = alternative_of_range<Dither>(state);
     const Image<RGB> encoded = picture_after(3);
-    Image<CodeRGB> codes = quantize(chosen, encoded.view(), 1);
+    Image<CodeRGB> codes = quantize(chosen, encoded.view(), {}, 1);
     double difference = 0.0;
     for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
         difference += codes.pixels()[i].g / 255.0 - encoded.pixels()[i].g;
     }
     if (std::abs(difference) / (kSize_px * kSize_px) > 1e-4) return state.SkipWithError("mean not kept");
     for (auto _ : state) {
-        quantize_into(chosen, encoded.view(), codes.view(), 1);
+        quantize_into(chosen, encoded.view(), {}, codes.view(), 1);
         benchmark::ClobberMemory();
     }
     count_pixels(state);
@@ -144,21 +149,22 @@ void dither(benchmark::State& state) {
 
 void whole_chain(benchmark::State& state) {
     const auto chosen = alternative_of_range<Dither>(state);
-    const Matrix3 matrix = rgb_from_xyz(Display{});
-    const TransferEncoder encode_row(TransferFunction{});
+    const RgbFromXyz conversion = rgb_from_xyz(Display{});
+    const DisplayGamut srgb_gamut = display_gamut(Display{});
+    const DisplayEncoder encode_row(Display{}, own_transfer(Display{}));
     Image<RGB> encoded(kSize_px, kSize_px);
     Image<CodeRGB> codes(kSize_px, kSize_px);
     for (auto _ : state) {
         for (int y = 0; y < kSize_px; ++y) {
             const std::span<RGB> row = encoded.row(y);
-            display_rgb(matrix, display_xyz().row(y), row);
-            benchmark::DoNotOptimize(map_gamut(GamutMapper{}, row));
+            display_rgb(conversion, display_xyz().row(y), row);
+            benchmark::DoNotOptimize(map_gamut(GamutMapper{}, srgb_gamut, row));
             encode_row(row);
         }
-        quantize_into(chosen, encoded.view(), codes.view(), 1);
+        quantize_into(chosen, encoded.view(), {}, codes.view(), 1);
         benchmark::ClobberMemory();
     }
-    if (codes != quantize(chosen, picture_after(3).view(), 1)) state.SkipWithError("differs from its stages");
+    if (codes != quantize(chosen, picture_after(3).view(), {}, 1)) state.SkipWithError("differs from its stages");
     count_pixels(state);
 }
 

@@ -30,7 +30,8 @@ void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
 }
 
 void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline) {
-    write_png(png, image, {.text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+    write_png(png, image,
+              {.bits = pipeline.bits, .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
 }
 
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {

@@ -46,6 +46,20 @@ std::string parameter_label(std::string_view kind, std::string_view name, std::s
     return with_kind(kind, name) + ": " + std::string(parameter);
 }
 
+std::string named_label(std::string_view kind, std::string_view name) { return with_kind(kind, name); }
+
+std::vector<TablePoint> parse_points(const NamedText& text, std::string_view label) {
+    std::vector<TablePoint> points;
+    for (const auto& [x, y] : text.assignments) {
+        const std::string what = std::string(label) + ": point " + std::to_string(points.size() + 1);
+        TablePoint point;
+        parse_number(x, what, point.x);
+        parse_number(y, what, point.y);
+        points.push_back(point);
+    }
+    return points;
+}
+
 void throw_unknown_name(std::string_view what, std::string_view name, std::vector<std::string_view> known) {
     std::stable_sort(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
         return name_distance(name, a) < name_distance(name, b);

@@ -18,6 +18,7 @@
 
 #include "core/name_key.h"
 #include "core/parameters.h"
+#include "core/table_point.h"
 #include "core/visit.h"
 
 namespace emulsion {
@@ -45,13 +46,13 @@ struct NamedValueDescription {
     bool operator==(const NamedValueDescription&) const = default;
 };
 
-/// The table of a type; empty if the type has no data members.
+/// The table of a type; empty if the type has no data members, or points instead.
 template <NamedValue T>
 [[nodiscard]] constexpr std::span<const Parameter<T>> parameters_of() noexcept {
     if constexpr (requires { T::kParameters; }) {
         return T::kParameters;
     } else {
-        static_assert(std::is_empty_v<T>, "a named value with data members needs a kParameters table");
+        static_assert(std::is_empty_v<T> || NamedTable<T>, "a named value with data members needs a kParameters table");
         return {};
     }
 }
@@ -66,6 +67,9 @@ constexpr void for_each_alternative(Visitor&& visitor) {
 /// How messages name a parameter: "tonemap reinhard-global: key"; an empty kind is left out.
 [[nodiscard]] std::string parameter_label(std::string_view kind, std::string_view name, std::string_view parameter);
 
+/// The same of the whole value: "transfer table".
+[[nodiscard]] std::string named_label(std::string_view kind, std::string_view name);
+
 /// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
 /// `kind` is the role of the value, as in parse_named.
 template <NamedValue T>
@@ -74,6 +78,7 @@ void validate_named(const T& value, std::string_view kind = "") {
         const std::string what = parameter_label(kind, T::kName, parameter.name);
         std::visit([&](auto member) { check_range(value.*member, parameter.range, what); }, parameter.member);
     }
+    if constexpr (NamedTable<T>) check_points(value, named_label(kind, T::kName));
 }
 template <NamedVariant Variant>
 void validate_named(const Variant& variant, std::string_view kind = "") {
@@ -101,6 +106,12 @@ template <NamedValue T>
         text += parameter.name;
         text += '=';
         text += parameter_text(value, parameter);
+    }
+    if constexpr (NamedTable<T>) {
+        for (const TablePoint& point : value.points) {
+            text += std::exchange(separator, ',');
+            text += number_text(point.x) + '=' + number_text(point.y);
+        }
     }
     return text;
 }
@@ -158,10 +169,18 @@ template <NamedValue T>
                parameter.member);
 }
 
-/// Reads one alternative's parameters.
+/// Points as x=y; `label` names the value in messages. \throws std::invalid_argument as parse_number().
+[[nodiscard]] std::vector<TablePoint> parse_points(const NamedText& text, std::string_view label);
+
+/// Reads one alternative's parameters, or points.
 template <NamedValue T>
 [[nodiscard]] T parse_parameters(const NamedText& text, std::string_view kind) {
     T value;
+    if constexpr (NamedTable<T>) {
+        if (!text.assignments.empty()) value.points = parse_points(text, named_label(kind, T::kName));
+        validate_named(value, kind);
+        return value;
+    }
     for (const auto& assignment : text.assignments) {
         std::vector<std::string_view> known;
         bool found = false;

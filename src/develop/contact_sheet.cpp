@@ -99,7 +99,7 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
 
     Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
     std::fill(sheet.pixels().begin(), sheet.pixels().end(), kBackground);
-    const XYZd white = white_xyz(pipeline.display);
+    const XYZd white = shown_as_white(pipeline.white, pipeline.display);
     const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
     const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
     const Image<XYZ>& picture = before ? *before : scene;

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/matrix3.h"
 #include "core/row_blocks.h"
-#include "display/transfer_encoder.h"
+#include "display/display_encoder.h"
+#include "display/display_rgb.h"
 
 namespace emulsion {
 
@@ -21,13 +21,14 @@ XYZ narrow(const XYZd& xyz) noexcept {
 
 /// The three stages between tone mapping and quantization, row by row while the row is in the cache.
 GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline, Image<RGB>& encoded, int threads) {
-    const Matrix3 matrix = rgb_from_xyz(pipeline.display);
-    const TransferEncoder encode_row(pipeline.transfer);
+    const RgbFromXyz conversion = rgb_from_xyz(pipeline.display, pipeline.white);
+    const DisplayGamut gamut = display_gamut(pipeline.display);
+    const DisplayEncoder encode_row(pipeline.display, transfer_of(pipeline));
     std::vector<GamutCounts> counts(static_cast<std::size_t>(display_xyz.height()));
     parallel_for_rows(display_xyz.width(), display_xyz.height(), threads, [&](int y) {
         const std::span<RGB> row = encoded.row(y);
-        display_rgb(matrix, display_xyz.row(y), row);
-        counts[static_cast<std::size_t>(y)] = map_gamut(pipeline.gamut, row);
+        display_rgb(conversion, display_xyz.row(y), row);
+        counts[static_cast<std::size_t>(y)] = map_gamut(pipeline.gamut, gamut, row);
         encode_row(row);
     });
     GamutCounts total;
@@ -51,7 +52,7 @@ DevelopResult develop(Image<XYZ> scene, const Pipeline& pipeline, int threads) {
     if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) scene = std::move(*picture);
     const LuminanceStatistics statistics =
         tone_map_into({pipeline.tone_mapper, pipeline.adaptation}, std::as_const(scene).view(), scene.view(),
-                      narrow(white_xyz(pipeline.display)), threads);
+                      narrow(shown_as_white(pipeline.white, pipeline.display)), threads);
     DevelopResult result = develop_tone_mapped(scene, pipeline, threads);
     result.report.luminance = statistics;
     return result;
@@ -62,7 +63,7 @@ DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline&
     Image<RGB> encoded(display_xyz.width(), display_xyz.height());
     DevelopReport report;
     report.gamut = encode_rows(display_xyz, pipeline, encoded, threads);
-    return {quantize(pipeline.dither, encoded.view(), threads), report};
+    return {quantize(pipeline.dither, encoded.view(), code_scale(pipeline.bits, pipeline.range), threads), report};
 }
 
 }  // namespace emulsion

@@ -12,7 +12,6 @@ namespace emulsion {
 
 namespace {
 
-constexpr ParameterRange kBits = {8.0, 8.0};
 constexpr std::string_view kOwn = "own";  // a stage that is left to another
 
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
@@ -22,10 +21,12 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
+    visitor("white", pipeline.white);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
     visitor("bits", pipeline.bits);
+    visitor("range", pipeline.range);
     visitor("dither", pipeline.dither);
 }
 
@@ -40,7 +41,7 @@ std::string stage_text(const std::optional<Variant>& stage) {
     return stage ? to_text(*stage) : std::string(kOwn);
 }
 
-void validate_stage(std::string_view key, int bits) { check_range(bits, kBits, key); }
+void validate_stage(std::string_view key, int bits) { check_range(bits, kCodeBits, key); }
 template <NamedVariant Variant>
 void validate_stage(std::string_view key, const Variant& stage) {
     validate_named(stage, key);
@@ -90,6 +91,10 @@ void parse_word(std::string_view word, Pipeline& pipeline, std::vector<std::stri
 
 }  // namespace
 
+TransferFunction transfer_of(const Pipeline& pipeline) {
+    return pipeline.transfer ? *pipeline.transfer : own_transfer(pipeline.display);
+}
+
 std::string to_text(const Pipeline& pipeline) {
     std::string text;
     for_each_stage(pipeline, [&](std::string_view key, const auto& stage) {
@@ -110,11 +115,15 @@ Pipeline parse_pipeline(std::string_view text) {
         parse_word(text.substr(begin, end - begin), pipeline, seen);
         begin = text.find_first_not_of(kSpace, end);
     }
+    validate(pipeline);
     return pipeline;
 }
 
 void validate(const Pipeline& pipeline) {
     for_each_stage(pipeline, [](std::string_view key, const auto& stage) { validate_stage(key, stage); });
+    validate(pipeline.display);
+    validate(pipeline.white, pipeline.display);
+    (void)code_scale(pipeline.bits, pipeline.range);
 }
 
 }  // namespace emulsion

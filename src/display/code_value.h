@@ -1,15 +1,46 @@
 #pragma once
-// Code values: what a file or a display is sent. 8 bits, full range: 0 is encoded 0, 255 is encoded 1.
+// Code values: what a file or a display is sent.
 
 #include <cstdint>
+#include <string_view>
+#include <variant>
 
 #include "core/color.h"
+#include "core/parameters.h"
 
 namespace emulsion {
 
-using CodeRGB = BasicRGB<std::uint8_t>;
+/// Codes of up to 16 bits.
+using CodeRGB = BasicRGB<std::uint16_t>;
 
-inline constexpr int kMaxCode = 255;
+struct FullRange {
+    static constexpr std::string_view kName = "full";
+    static constexpr std::string_view kHelp = "code 0 is encoded 0, the largest code is encoded 1";
+    bool operator==(const FullRange&) const = default;
+};
+
+/// Codes below and above are left to signals that go past black and white; nothing here makes any.
+/// Source: ITU-R BT.2100-2, table 9; of BT.709 the same.
+struct NarrowRange {
+    static constexpr std::string_view kName = "narrow";
+    static constexpr std::string_view kHelp = "16 to 235 of 8 bits, in that proportion of more; as video has it";
+    bool operator==(const NarrowRange&) const = default;
+};
+
+/// All ranges; the first is the default.
+using CodeRange = std::variant<FullRange, NarrowRange>;
+
+inline constexpr ParameterRange kCodeBits = {1.0, 16.0};
+
+/// The codes of encoded 0 and 1; those between are evenly spaced.
+struct CodeScale {
+    int black = 0, white = 255;
+    [[nodiscard]] constexpr int steps() const noexcept { return white - black; }
+    bool operator==(const CodeScale&) const = default;
+};
+
+/// \throws std::invalid_argument naming bits and their range: 1 to 16, 8 to 16 for the narrow range.
+[[nodiscard]] CodeScale code_scale(int bits, const CodeRange& range);
 
 /// A component for the quantizers: NaN as 0, others to the nearest value in [0, 1].
 [[nodiscard]] constexpr float unit_clamp(float encoded) noexcept {

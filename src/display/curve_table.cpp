@@ -13,9 +13,9 @@ CurveTable::CurveTable(const std::function<double(double)>& curve, float smalles
         const auto y1 = static_cast<float>(curve(x1));
         const double rise = static_cast<double>(y1) - y0;
         const double square = 2.0 * (static_cast<double>(y0) + y1) - 4.0 * curve(0.5 * (x0 + x1));
-        segments_.push_back({y0, static_cast<float>(rise - square), static_cast<float>(square)});
+        segments_.push_back({y0, static_cast<float>(rise - square), static_cast<float>(square), 0.0f});
     }
-    segments_.push_back({1.0f, 0.0f, 0.0f});
+    segments_.push_back({static_cast<float>(curve(1.0)), 0.0f, 0.0f, 0.0f});
 }
 
 }  // namespace emulsion

@@ -1,5 +1,5 @@
 #pragma once
-// A smooth rising curve from 0..1 to 0..1 as a table: the fast path of transfer functions.
+// A smooth rising curve of arguments in 0..1 as a table: the fast path of transfer functions.
 
 #include <algorithm>
 #include <bit>
@@ -15,11 +15,11 @@ namespace emulsion {
 /// even steps does. For a power x^p the parabolas are within p |p - 1| |p - 2| 3e-8 of the curve.
 class CurveTable {
   public:
-    /// \param curve rising on [smallest, 1], with curve(1) = 1
+    /// \param curve rising on [smallest, 1]
     /// \param smallest where the table starts; in (0, 1)
     CurveTable(const std::function<double(double)>& curve, float smallest);
 
-    /// For x in [smallest, 1]; 1 for every other x, NaN too.
+    /// For x in [smallest, 1]; the value at 1 for every other x, NaN too.
     [[nodiscard]] float operator()(float x) const noexcept {
         const auto bits = std::bit_cast<std::uint32_t>(x);
         const std::uint32_t index = std::min((bits >> kFractionBits) - first_, last_);  // wraps round below `first_`
@@ -28,16 +28,21 @@ class CurveTable {
         return segment.start + t * (segment.linear + t * segment.square);
     }
 
-  private:
-    static constexpr std::uint32_t kFractionBits = 17;  // 23 bits of significand: 6 choose the segment
+    static constexpr std::uint32_t kFractionBits = 17;  ///< 23 bits of significand: 6 choose the segment
     static constexpr std::uint32_t kFractionMask = (std::uint32_t{1} << kFractionBits) - 1;
     static constexpr float kPerSegment = 0x1p-17f;
 
     /// start + t linear + t^2 square, t in [0, 1) over the segment.
-    struct Segment {
-        float start, linear, square;
+    struct alignas(16) Segment {
+        float start, linear, square, unused;
     };
 
+    /// The parts, for curve_vectors.h.
+    [[nodiscard]] std::uint32_t first() const noexcept { return first_; }
+    [[nodiscard]] std::uint32_t last() const noexcept { return last_; }
+    [[nodiscard]] const Segment* segments() const noexcept { return segments_.data(); }
+
+  private:
     std::uint32_t first_, last_;  // numbers of the segments of `smallest` and 1, the second less the first
     std::vector<Segment> segments_;
 };

@@ -18,19 +18,20 @@ void check(ImageView<const RGB> encoded, int threads) {
 
 }  // namespace
 
-void quantize_into(const Dither& dither, ImageView<const RGB> encoded, ImageView<CodeRGB> codes, int threads) {
+void quantize_into(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale, ImageView<CodeRGB> codes,
+                   int threads) {
     check(encoded, threads);
     if (codes.width() != encoded.width() || codes.height() != encoded.height()) {
         throw std::invalid_argument("codes size " + size_text(codes.width(), codes.height()) + ": must be " +
                                     size_text(encoded.width(), encoded.height()) + ", as the picture's");
     }
-    std::visit([&](const auto& chosen) { quantize(chosen, encoded, codes, threads); }, dither);
+    std::visit([&](const auto& chosen) { quantize(chosen, encoded, scale, codes, threads); }, dither);
 }
 
-Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, int threads) {
+Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale, int threads) {
     check(encoded, threads);
     Image<CodeRGB> codes(encoded.width(), encoded.height());
-    quantize_into(dither, encoded, codes.view(), threads);
+    quantize_into(dither, encoded, scale, codes.view(), threads);
     return codes;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Quantization with dithering: from encoded RGB in [0, 1] to 8-bit code values.
+// Quantization with dithering: from encoded RGB in [0, 1] to code values.
 
 #include <variant>
 
@@ -14,12 +14,14 @@ namespace emulsion {
 /// All ways to dither.
 using Dither = std::variant<NoDither, FloydSteinberg>;
 
-/// Encoded 0 becomes code 0, and 1 code 255, exactly. Components outside [0, 1] are taken as the nearest value inside,
-/// NaN as 0. The same codes for every number of threads (0: all).
+/// Encoded 0 becomes the scale's black, and 1 its white, exactly; no code outside of these is made. Components outside
+/// [0, 1] are taken as the nearest value inside, NaN as 0. The same codes for every number of threads (0: all).
 /// \throws std::invalid_argument if the picture is empty or threads < 0.
-[[nodiscard]] Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, int threads);
+[[nodiscard]] Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale,
+                                      int threads);
 
 /// The same into pixels that exist. \throws std::invalid_argument as above, or if the sizes differ.
-void quantize_into(const Dither& dither, ImageView<const RGB> encoded, ImageView<CodeRGB> codes, int threads);
+void quantize_into(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale, ImageView<CodeRGB> codes,
+                   int threads);
 
 }  // namespace emulsion

@@ -16,18 +16,19 @@ constexpr std::int64_t kUnitsPerCode = std::int64_t{1} << kFractionBits;
 /// A value or an error of one pixel in units of 2^-16 code. 64 bits: on a saturated last row errors add up.
 using Units = BasicRGB<std::int64_t>;
 
-std::int64_t to_units(float encoded) noexcept {
-    constexpr auto kScale = static_cast<double>(kMaxCode * kUnitsPerCode);
+/// A value in units above black, as the scale has them.
+std::int64_t to_units(float encoded, const CodeScale& scale) noexcept {
+    const auto units = static_cast<double>(scale.steps() * kUnitsPerCode);
     // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
-    return static_cast<std::int64_t>(static_cast<double>(unit_clamp(encoded)) * kScale + 0.5);
+    return static_cast<std::int64_t>(static_cast<double>(unit_clamp(encoded)) * units + 0.5);
 }
 
 /// Rounds to the nearest code that there is, and leaves the error in `value`.
-std::uint8_t take_code(std::int64_t& value) noexcept {
+std::uint16_t take_code(std::int64_t& value, const CodeScale& scale) noexcept {
     const std::int64_t nearest = (value + kUnitsPerCode / 2) >> kFractionBits;
-    const std::int64_t code = std::clamp<std::int64_t>(nearest, 0, kMaxCode);
-    value -= code * kUnitsPerCode;
-    return static_cast<std::uint8_t>(code);
+    const std::int64_t step = std::clamp<std::int64_t>(nearest, 0, scale.steps());
+    value -= step * kUnitsPerCode;
+    return static_cast<std::uint16_t>(scale.black + step);
 }
 
 /// Where a pixel's error goes.
@@ -64,24 +65,28 @@ Shares last_column_shares(const Units& error) noexcept {
 }
 
 /// The value of a pixel with the errors that reached it.
-Units value_of(const RGB& encoded, const Units& from_above, const Units& from_left) noexcept {
-    return Units{to_units(encoded.r), to_units(encoded.g), to_units(encoded.b)} + from_above + from_left;
+Units value_of(const RGB& encoded, const CodeScale& scale, const Units& from_above, const Units& from_left) noexcept {
+    const Units value{to_units(encoded.r, scale), to_units(encoded.g, scale), to_units(encoded.b, scale)};
+    return value + from_above + from_left;
 }
 
-CodeRGB take_codes(Units& value) noexcept { return {take_code(value.r), take_code(value.g), take_code(value.b)}; }
+CodeRGB take_codes(Units& value, const CodeScale& scale) noexcept {
+    return {take_code(value.r, scale), take_code(value.g, scale), take_code(value.b, scale)};
+}
 
 /// Rounds a row that has one below it. `errors` holds those from above, and is left with those for the row below: the
 /// one for x - 1 is complete, and its place free, once pixel x is done.
-void diffuse_row(std::span<const RGB> encoded, std::span<CodeRGB> codes, std::span<Units> errors) noexcept {
+void diffuse_row(std::span<const RGB> encoded, const CodeScale& scale, std::span<CodeRGB> codes,
+                 std::span<Units> errors) noexcept {
     const std::size_t last = encoded.size() - 1;
-    Units error = value_of(encoded[0], errors[0], {});
-    codes[0] = take_codes(error);
+    Units error = value_of(encoded[0], scale, errors[0], {});
+    codes[0] = take_codes(error, scale);
     Shares shares = last == 0 ? Shares{{}, {}, error, {}} : first_column_shares(error);
     Units below_previous = shares.below, below_this = shares.below_right;
 
     for (std::size_t x = 1; x < last; ++x) {
-        error = value_of(encoded[x], errors[x], shares.right);
-        codes[x] = take_codes(error);
+        error = value_of(encoded[x], scale, errors[x], shares.right);
+        codes[x] = take_codes(error, scale);
         shares = inner_shares(error);
         errors[x - 1] = below_previous + shares.below_left;
         below_previous = below_this + shares.below;
@@ -89,8 +94,8 @@ void diffuse_row(std::span<const RGB> encoded, std::span<CodeRGB> codes, std::sp
     }
 
     if (last > 0) {
-        error = value_of(encoded[last], errors[last], shares.right);
-        codes[last] = take_codes(error);
+        error = value_of(encoded[last], scale, errors[last], shares.right);
+        codes[last] = take_codes(error, scale);
         shares = last_column_shares(error);
         errors[last - 1] = below_previous + shares.below_left;
         below_previous = below_this + shares.below;
@@ -99,22 +104,23 @@ void diffuse_row(std::span<const RGB> encoded, std::span<CodeRGB> codes, std::sp
 }
 
 /// The last row hands everything to the right.
-void diffuse_last_row(std::span<const RGB> encoded, std::span<CodeRGB> codes, std::span<const Units> errors) noexcept {
+void diffuse_last_row(std::span<const RGB> encoded, const CodeScale& scale, std::span<CodeRGB> codes,
+                      std::span<const Units> errors) noexcept {
     Units error;
     for (std::size_t x = 0; x < encoded.size(); ++x) {
-        error = value_of(encoded[x], errors[x], error);
-        codes[x] = take_codes(error);
+        error = value_of(encoded[x], scale, errors[x], error);
+        codes[x] = take_codes(error, scale);
     }
 }
 
 }  // namespace
 
-void quantize(const FloydSteinberg& /*dither*/, ImageView<const RGB> encoded, ImageView<CodeRGB> codes,
-              int /*threads*/) {
+void quantize(const FloydSteinberg& /*dither*/, ImageView<const RGB> encoded, const CodeScale& scale,
+              ImageView<CodeRGB> codes, int /*threads*/) {
     std::vector<Units> errors(static_cast<std::size_t>(encoded.width()));
     const int last = encoded.height() - 1;
-    for (int y = 0; y < last; ++y) diffuse_row(encoded.row(y), codes.row(y), errors);
-    diffuse_last_row(encoded.row(last), codes.row(last), errors);
+    for (int y = 0; y < last; ++y) diffuse_row(encoded.row(y), scale, codes.row(y), errors);
+    diffuse_last_row(encoded.row(last), scale, codes.row(last), errors);
 }
 
 }  // namespace emulsion

@@ -26,6 +26,7 @@ struct FloydSteinberg {
 };
 
 /// As quantize() in display/dither.h; serial, `threads` is not used.
-void quantize(const FloydSteinberg& dither, ImageView<const RGB> encoded, ImageView<CodeRGB> codes, int threads);
+void quantize(const FloydSteinberg& dither, ImageView<const RGB> encoded, const CodeScale& scale,
+              ImageView<CodeRGB> codes, int threads);
 
 }  // namespace emulsion

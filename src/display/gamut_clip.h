@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/color.h"
+#include "display/display_gamut.h"
 #include "display/gamut_counts.h"
 
 namespace emulsion {
@@ -16,7 +17,8 @@ struct GamutClip {
     bool operator==(const GamutClip&) const = default;
 };
 
-/// In place; every component comes out in [0, 1], NaN and -0 as +0.
-[[nodiscard]] GamutCounts map_gamut(const GamutClip& mapper, std::span<RGB> linear) noexcept;
+/// As map_gamut() in display/gamut_mapper.h, of one colour in double precision and of many in single.
+[[nodiscard]] RGBd map_gamut(const GamutClip& mapper, const DisplayGamut& gamut, const RGBd& linear) noexcept;
+[[nodiscard]] GamutCounts map_gamut(const GamutClip& mapper, const DisplayGamut& gamut, std::span<RGB> linear) noexcept;
 
 }  // namespace emulsion

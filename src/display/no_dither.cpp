@@ -9,19 +9,21 @@ namespace emulsion {
 
 namespace {
 
-std::uint8_t nearest_code(float encoded) noexcept {
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
-    return static_cast<std::uint8_t>(static_cast<double>(unit_clamp(encoded)) * kMaxCode + 0.5);
+std::uint16_t nearest_code(float encoded, const CodeScale& scale) noexcept {
+    // Not negative, and exact in double precision up to the cut.
+    const double steps = static_cast<double>(unit_clamp(encoded)) * scale.steps();
+    return static_cast<std::uint16_t>(scale.black + static_cast<int>(steps + 0.5));
 }
 
 }  // namespace
 
-void quantize(const NoDither& /*dither*/, ImageView<const RGB> encoded, ImageView<CodeRGB> codes, int threads) {
+void quantize(const NoDither& /*dither*/, ImageView<const RGB> encoded, const CodeScale& scale,
+              ImageView<CodeRGB> codes, int threads) {
     parallel_for_rows(encoded.width(), encoded.height(), threads, [&](int y) {
         const std::span<const RGB> in = encoded.row(y);
         const std::span<CodeRGB> out = codes.row(y);
         for (std::size_t x = 0; x < in.size(); ++x) {
-            out[x] = {nearest_code(in[x].r), nearest_code(in[x].g), nearest_code(in[x].b)};
+            out[x] = {nearest_code(in[x].r, scale), nearest_code(in[x].g, scale), nearest_code(in[x].b, scale)};
         }
     });
 }

@@ -17,6 +17,7 @@ struct NoDither {
 };
 
 /// As quantize() in display/dither.h.
-void quantize(const NoDither& dither, ImageView<const RGB> encoded, ImageView<CodeRGB> codes, int threads);
+void quantize(const NoDither& dither, ImageView<const RGB> encoded, const CodeScale& scale, ImageView<CodeRGB> codes,
+              int threads);
 
 }  // namespace emulsion

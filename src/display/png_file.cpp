@@ -5,10 +5,13 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include <png.h>
@@ -97,6 +100,17 @@ void check_text(const PngText& text) {
     }
 }
 
+void check_codes(const Image<CodeRGB>& image, int bits) {
+    check_range(bits, kCodeBits, "PNG bits");
+    const int most = (1 << bits) - 1;
+    for (const CodeRGB& code : image.pixels()) {
+        const int largest = std::max({code.r, code.g, code.b});
+        if (largest <= most) continue;
+        throw std::invalid_argument("PNG code " + std::to_string(largest) + ": has more than " + std::to_string(bits) +
+                                    " bits");
+    }
+}
+
 /// Text chunks as libpng wants them. It only reads the strings that they point to, which stay the caller's.
 std::vector<png_text> text_chunks(const PngOptions& options) {
     std::vector<png_text> chunks;
@@ -112,37 +126,55 @@ std::vector<png_text> text_chunks(const PngOptions& options) {
     return chunks;
 }
 
-/// The image as libpng wants it: one pointer for each row, which it only reads.
-std::vector<png_bytep> row_pointers(const Image<CodeRGB>& image) {
-    static_assert(sizeof(CodeRGB) == 3, "rows are written as they lie in memory");
-    std::vector<png_bytep> rows;
-    rows.reserve(static_cast<std::size_t>(image.height()));
-    for (int y = 0; y < image.height(); ++y) {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
-        rows.push_back(const_cast<png_bytep>(&image.row(y).front().r));
+/// What the file says about its samples.
+struct SampleFormat {
+    int code_bits = 8;
+    [[nodiscard]] int depth() const noexcept { return code_bits <= 8 ? 8 : 16; }
+    [[nodiscard]] std::size_t pixel_bytes() const noexcept { return static_cast<std::size_t>(3 * depth() / 8); }
+};
+
+/// The samples of a row as they stand in the file, most significant byte first: codes spread over the whole depth.
+void put_row(std::span<const CodeRGB> codes, const SampleFormat& format, std::span<png_byte> bytes) noexcept {
+    const std::uint32_t most = (1u << format.code_bits) - 1u, whole = (1u << format.depth()) - 1u;
+    std::size_t at = 0;
+    for (const CodeRGB& code : codes) {
+        for (const std::uint32_t component : {code.r, code.g, code.b}) {
+            const std::uint32_t sample = (component * whole + most / 2) / most;
+            if (format.depth() == 16) bytes[at++] = static_cast<png_byte>(sample >> 8u);
+            bytes[at++] = static_cast<png_byte>(sample & 0xffu);
+        }
     }
-    return rows;
 }
 
-/// False if libpng reported an error. Only plain values here: errors jump out of the middle.
-bool write_chunks(png_structp png, png_infop info, const Image<CodeRGB>& image, const std::vector<png_text>& text,
-                  const std::vector<png_bytep>& rows) {
+/// False if libpng reported an error. Only plain values here: errors jump out of the middle. `row` has room for one.
+bool write_chunks(png_structp png, png_infop info, const Image<CodeRGB>& image, const SampleFormat& format,
+                  std::span<const png_text> text, std::span<png_byte> row) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
     constexpr png_uint_32 kAnySize = 0x7fffffff;
     png_set_user_limits(png, kAnySize, kAnySize);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()), static_cast<png_uint_32>(image.height()), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()), static_cast<png_uint_32>(image.height()),
+                 format.depth(), PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+    if (format.code_bits != format.depth()) {
+        png_color_8 bits{};
+        bits.red = bits.green = bits.blue = static_cast<png_byte>(format.code_bits);
+        png_set_sBIT(png, info, &bits);
+    }
     if (!text.empty()) png_set_text(png, info, text.data(), static_cast<int>(text.size()));
     png_write_info(png, info);
-    for (png_const_bytep row : rows) png_write_row(png, row);
+    for (int y = 0; y < image.height(); ++y) {
+        put_row(image.row(y), format, row);
+        png_write_row(png, row.data());
+    }
     png_write_end(png, info);
     return true;
 }
 
 /// \throws IoError unless all of the image is in the temporary file.
-void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const std::vector<png_text>& text) {
-    const std::vector<png_bytep> rows = row_pointers(image);
+void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const SampleFormat& format,
+                 std::span<const png_text> text) {
+    std::vector<png_byte> row(static_cast<std::size_t>(image.width()) * format.pixel_bytes());
     WriteState state;
     std::unique_ptr<std::FILE, FileCloser> stream(std::fopen(file.temporary_path().c_str(), "wb"));
     if (stream == nullptr) throw IoError(file.path(), "cannot open the temporary file: " + errno_text(errno));
@@ -150,7 +182,7 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const std:
     {
         const PngWriter writer(state);
         if (!writer.created()) throw IoError(file.path(), "libpng could not be started");
-        const bool written = write_chunks(writer.png(), writer.info(), image, text, rows);
+        const bool written = write_chunks(writer.png(), writer.info(), image, format, text, row);
         if (state.write_errno != 0) throw IoError(file.path(), "cannot write: " + errno_text(state.write_errno));
         if (!written || state.message[0] != '\0') {
             throw IoError(file.path(), std::string("libpng: ") + state.message.data());
@@ -163,9 +195,10 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const std:
 
 void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options) {
     if (image.width() < 1 || image.height() < 1) throw std::invalid_argument("PNG of an empty picture");
+    check_codes(image, options.bits);
     const std::vector<png_text> text = text_chunks(options);
     AtomicFile file(path);
-    write_image(file, image, text);
+    write_image(file, image, {options.bits}, text);
     file.commit();
 }
 

@@ -18,14 +18,17 @@ struct PngText {
 };
 
 struct PngOptions {
-    std::vector<PngText> text;
+    int bits = 8;  ///< of the picture's codes, full range; 1 to 16
+    std::vector<PngText> text = {};
 };
 
-/// Writes 8-bit RGB, sRGB-encoded, with an sRGB chunk (intent: relative colorimetric, since the picture has been
-/// brought into the gamut on purpose and is to be shown as it is) and the matching gAMA and cHRM. The same picture and
-/// options give the same bytes. The file appears whole or not at all.
+/// Writes RGB of 8 bits, or of 16 where codes have more than 8; codes of other than 8 or 16 bits are spread over all
+/// of them, and an sBIT chunk tells how many bits they had. sRGB-encoded, with an sRGB chunk (intent: relative
+/// colorimetric, since the picture has been brought into the gamut on purpose and is to be shown as it is) and the
+/// matching gAMA and cHRM. The same picture and options give the same bytes. The file appears whole or not at all.
 /// \throws IoError{path, reason} if the file can't be written; then an older file of that name is still there.
-/// \throws std::invalid_argument if the picture is empty, or a keyword or text is not as above.
+/// \throws std::invalid_argument if the picture is empty, a code has more than `bits`, or a keyword, a text or the bits
+/// are not as above.
 void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options = {});
 
 }  // namespace emulsion

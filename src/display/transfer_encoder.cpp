@@ -3,11 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "display/curve_vectors.h"
+
 namespace emulsion {
 
 namespace {
 
-using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder>;
+using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder<GammaTransfer>,
+                                ExactEncoder<TableTransfer>>;
 
 /// The least normal float: the table's segments widen to octaves and more below it.
 constexpr float kLeastFloat = std::numeric_limits<float>::min();
@@ -26,11 +29,15 @@ float last_float_of_toe(double knee) noexcept {
 
 /// Curves without a knee: the table down to the least normal float, below it what 0 has: 2.6e-8 off at the most, for
 /// gamma 5.
-template <class T>
-AnyEncoder encoder_of(const T& transfer) {
-    const auto curve = [&](double x) { return encode(transfer, x); };
+template <class Curve>
+AnyEncoder encoder_of_curve(const Curve& curve) {
     const float last = std::nextafter(kLeastFloat, 0.0f);
     return StraightToeEncoder{last, 0.0f, static_cast<float>(curve(0.0)), CurveTable(curve, kLeastFloat)};
+}
+
+template <class T>
+AnyEncoder encoder_of(const T& transfer) {
+    return encoder_of_curve([&](double x) { return encode(transfer, x); });
 }
 
 template <HasStraightToe T>
@@ -43,7 +50,7 @@ AnyEncoder encoder_of(const T& transfer) {
 AnyEncoder encoder_of(const LinearTransfer& /*transfer*/) { return IdentityEncoder{}; }
 
 AnyEncoder encoder_of(const GammaTransfer& transfer) {
-    if (transfer.exponent < 1.0) return ExactEncoder{transfer};
+    if (transfer.exponent < 1.0) return ExactEncoder<GammaTransfer>{transfer};
     return encoder_of<GammaTransfer>(transfer);
 }
 
@@ -53,6 +60,8 @@ AnyEncoder encoder_of(const Bt1886Transfer& transfer) {
     const auto curve = [&](double x) { return encode(transfer, x); };
     return StraightToeEncoder{black, 0.0f, 0.0f, CurveTable(curve, black)};
 }
+
+AnyEncoder encoder_of(const TableTransfer& transfer) { return ExactEncoder<TableTransfer>{transfer}; }
 
 AnyEncoder encoder_of(const HlgTransfer& transfer) {
     const float last = last_float_of_toe(HlgTransfer::kLinearKnee);
@@ -66,15 +75,28 @@ void encode_all(const StraightToeEncoder& encoder, std::span<RGB> linear) noexce
     const auto encoded = [&](float x) noexcept {
         return x <= encoder.last ? encoder.offset + encoder.slope * x : encoder.above(x);
     };
-    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+    const Four tag;
+    const auto last = hn::Set(tag, encoder.last), slope = hn::Set(tag, encoder.slope),
+               offset = hn::Set(tag, encoder.offset);
+    const auto vectors = [&](FourFloats x) noexcept {
+        const auto toe = hn::Add(offset, hn::Mul(slope, x));
+        return hn::IfThenElse(hn::Le(x, last), toe, lookup(encoder.above, x));
+    };
+    replace_components(linear, vectors, encoded);
 }
 
 void encode_all(const SquareRootToeEncoder& encoder, std::span<RGB> linear) noexcept {
     const auto encoded = [&](float x) noexcept { return x <= encoder.last ? std::sqrt(3.0f * x) : encoder.above(x); };
-    for (RGB& rgb : linear) rgb = {encoded(rgb.r), encoded(rgb.g), encoded(rgb.b)};
+    const Four tag;
+    const auto last = hn::Set(tag, encoder.last), three = hn::Set(tag, 3.0f);
+    const auto vectors = [&](FourFloats x) noexcept {
+        return hn::IfThenElse(hn::Le(x, last), hn::Sqrt(hn::Mul(three, x)), lookup(encoder.above, x));
+    };
+    replace_components(linear, vectors, encoded);
 }
 
-void encode_all(const ExactEncoder& encoder, std::span<RGB> linear) noexcept {
+template <class Transfer>
+void encode_all(const ExactEncoder<Transfer>& encoder, std::span<RGB> linear) noexcept {
     const auto encoded = [&](float x) noexcept {
         return static_cast<float>(encode(encoder.transfer, static_cast<double>(x)));
     };
@@ -87,6 +109,9 @@ TransferEncoder::TransferEncoder(const TransferFunction& transfer) {
     validate_named(transfer, "transfer");
     encoder_ = std::visit([](const auto& chosen) { return encoder_of(chosen); }, transfer);
 }
+
+TransferEncoder::TransferEncoder(const PqTransfer& transfer, const DisplayLight& light)
+    : encoder_(encoder_of_curve([&](double x) { return encode(transfer, pq_linear(light, x)); })) {}
 
 void TransferEncoder::operator()(std::span<RGB> linear) const noexcept {
     visit_noexcept([&](const auto& encoder) { encode_all(encoder, linear); }, encoder_);

@@ -23,12 +23,14 @@
 #include "spectrum/pq.h"
 #include "spectrum/prophoto_transfer.h"
 #include "spectrum/srgb_transfer.h"
+#include "spectrum/table_transfer.h"
 
 namespace emulsion {
 
 /// All transfer functions; the first is the default.
-using TransferFunction = std::variant<SrgbTransfer, LinearTransfer, GammaTransfer, Bt709Transfer, Bt2020Transfer,
-                                      Bt1886Transfer, PqTransfer, HlgTransfer, ProPhotoTransfer, AdobeRgbTransfer>;
+using TransferFunction =
+    std::variant<SrgbTransfer, LinearTransfer, GammaTransfer, Bt709Transfer, Bt2020Transfer, Bt1886Transfer, PqTransfer,
+                 HlgTransfer, ProPhotoTransfer, AdobeRgbTransfer, TableTransfer>;
 
 /// \param transfer with parameters in their ranges, as parse_named gives and validate_named checks
 [[nodiscard]] inline double encode(const TransferFunction& transfer, double linear) noexcept {

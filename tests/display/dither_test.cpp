@@ -62,7 +62,7 @@ TEST(Dither, CodesAreKeptExactly) {
         for (int x = 0; x < 256; ++x) {
             for (int y = 0; y < 3; ++y) ramp(x, y) = static_cast<float>(x) / 255.0f * RGB{1.0f, 1.0f, 1.0f};
         }
-        const Image<CodeRGB> codes = quantize(Dither(dither), ramp.view(), 1);
+        const Image<CodeRGB> codes = quantize(Dither(dither), ramp.view(), {}, 1);
         for (int x = 0; x < 256; ++x) {
             const auto code = static_cast<std::uint8_t>(x);
             for (int y = 0; y < 3; ++y) EXPECT_EQ(codes(x, y), (CodeRGB{code, code, code})) << x;
@@ -74,7 +74,7 @@ TEST(Dither, CodesAreNeighboursOfAConstant) {
     for_each_alternative<Dither>([](const auto& dither) {
         for (int grey = 0; grey <= 1020; grey += 17) {
             const float value = static_cast<float>(grey) / 1020.0f;
-            const Image<CodeRGB> codes = quantize(Dither(dither), constant_picture(64, 64, value).view(), 1);
+            const Image<CodeRGB> codes = quantize(Dither(dither), constant_picture(64, 64, value).view(), {}, 1);
             for (const CodeRGB& c : codes.pixels()) ASSERT_LE(std::abs(c.r - 255.0 * value), 1.0001) << value;
         }
     });
@@ -87,7 +87,7 @@ TEST(Dither, AnyBitsGiveDefinedCodes) {
         bad(0, 0) = {std::numeric_limits<float>::quiet_NaN(), -1.0f, -0.0f};
         bad(1, 0) = {kInf, 1e30f, 1.0f};
         bad(2, 0) = {-kInf, 0.0f, 2.0f};
-        const Image<CodeRGB> codes = quantize(Dither(dither), bad.view(), 1);
+        const Image<CodeRGB> codes = quantize(Dither(dither), bad.view(), {}, 1);
         EXPECT_EQ(codes(0, 0), (CodeRGB{0, 0, 0}));
         EXPECT_EQ(codes(1, 0), (CodeRGB{255, 255, 255}));
         EXPECT_EQ(codes(2, 0), (CodeRGB{0, 0, 255}));
@@ -97,8 +97,8 @@ TEST(Dither, AnyBitsGiveDefinedCodes) {
 TEST(Dither, SameCodesForEveryNumberOfThreads) {
     for_each_alternative<Dither>([](const auto& dither) {
         const Image<RGB> picture = random_picture(301, 203, 50);
-        const Image<CodeRGB> one = quantize(Dither(dither), picture.view(), 1);
-        for (const int threads : {2, 5, 0}) EXPECT_EQ(quantize(Dither(dither), picture.view(), threads), one);
+        const Image<CodeRGB> one = quantize(Dither(dither), picture.view(), {}, 1);
+        for (const int threads : {2, 5, 0}) EXPECT_EQ(quantize(Dither(dither), picture.view(), {}, threads), one);
     });
 }
 
@@ -106,9 +106,9 @@ TEST(Dither, RejectsWhatItCannotDo) {
     for_each_alternative<Dither>([](const auto& dither) {
         const Image<RGB> picture(2, 2);
         Image<CodeRGB> smaller(1, 2);
-        EXPECT_THROW((void)quantize(Dither(dither), Image<RGB>().view(), 1), std::invalid_argument);
-        EXPECT_THROW((void)quantize(Dither(dither), picture.view(), -1), std::invalid_argument);
-        EXPECT_THROW(quantize_into(Dither(dither), picture.view(), smaller.view(), 1), std::invalid_argument);
+        EXPECT_THROW((void)quantize(Dither(dither), Image<RGB>().view(), {}, 1), std::invalid_argument);
+        EXPECT_THROW((void)quantize(Dither(dither), picture.view(), {}, -1), std::invalid_argument);
+        EXPECT_THROW(quantize_into(Dither(dither), picture.view(), {}, smaller.view(), 1), std::invalid_argument);
     });
 }
 
@@ -116,7 +116,7 @@ TEST(Dither, RejectsWhatItCannotDo) {
 
 TEST(NoDither, RoundsToNearestWithHalvesUp) {
     const auto code = [](float value) {
-        return static_cast<int>(quantize(NoDither{}, constant_picture(1, 1, value).view(), 1)(0, 0).g);
+        return static_cast<int>(quantize(NoDither{}, constant_picture(1, 1, value).view(), {}, 1)(0, 0).g);
     };
     EXPECT_EQ(code(0.5f), 128);  // 127.5
     EXPECT_EQ(code(std::nextafter(0.5f, 0.0f)), 127);
@@ -134,7 +134,7 @@ TEST(NoDither, RoundsToNearestWithHalvesUp) {
 TEST(FloydSteinberg, KeepsTheMeanOfEveryGrey) {
     for (int grey = 0; grey < 1024; ++grey) {
         const float value = static_cast<float>(grey) / 1023.0f;
-        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(256, 256, value).view(), 1);
+        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(256, 256, value).view(), {}, 1);
         ASSERT_NEAR(mean_red(codes), value, 1e-7) << value;
     }
 }
@@ -142,7 +142,7 @@ TEST(FloydSteinberg, KeepsTheMeanOfEveryGrey) {
 TEST(FloydSteinberg, LosesTheErrorOfTheLastPixelAndNothingElse) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 97}, {97, 1}, {2, 2}, {2, 53}, {3, 2}, {101, 103}}) {
         const Image<RGB> picture = random_picture(width, height, 51);
-        const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), 1));
+        const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), {}, 1));
         for (const std::int64_t units : {lost.r, lost.g, lost.b}) {
             EXPECT_LE(std::abs(units), kUnitsPerCode) << width << "x" << height;
         }
@@ -150,7 +150,7 @@ TEST(FloydSteinberg, LosesTheErrorOfTheLastPixelAndNothingElse) {
     // With a last pixel that can take any error, none beyond half a code is lost.
     Image<RGB> picture = random_picture(64, 64, 52);
     picture(63, 63) = {0.5f, 0.5f, 0.5f};
-    const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), 1));
+    const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), {}, 1));
     for (const std::int64_t units : {lost.r, lost.g, lost.b}) EXPECT_LE(std::abs(units), kUnitsPerCode / 2);
 }
 
@@ -183,7 +183,7 @@ Image<CodeRGB> diffuse_plainly(const Image<RGB>& picture) {
 TEST(FloydSteinberg, FollowsTheRuleAsWritten) {
     for (const auto& [width, height] : {std::pair{1, 50}, {50, 1}, {2, 30}, {61, 47}}) {
         const Image<RGB> picture = random_picture(width, height, 55);
-        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+        const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), {}, 1);
         const Image<CodeRGB> plain = diffuse_plainly(picture);
         for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
             ASSERT_EQ(codes.pixels()[i].g, plain.pixels()[i].g) << width << "x" << height << ", pixel " << i;
@@ -193,7 +193,7 @@ TEST(FloydSteinberg, FollowsTheRuleAsWritten) {
 
 // By hand, in codes: 100.4 gives 100 and hands on 0.4, 7/13 of it to the right in the first column: 100.615 gives 101.
 TEST(FloydSteinberg, FirstPixelsByHand) {
-    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(3, 2, 100.4f / 255.0f).view(), 1);
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, constant_picture(3, 2, 100.4f / 255.0f).view(), {}, 1);
     // Row 0: 100.4 -> 100 (+.4); 100.6154 -> 101 (-.3846); 100.4 - 7/16 .3846 = 100.2317 -> 100 (+.2317).
     EXPECT_EQ(codes(0, 0).r, 100);
     EXPECT_EQ(codes(1, 0).r, 101);
@@ -210,8 +210,8 @@ TEST(FloydSteinberg, ChannelsAreIndependent) {
     const Image<RGB> picture = random_picture(57, 41, 53);
     Image<RGB> swapped = picture;
     for (RGB& p : swapped.pixels()) p = {p.b, 0.0f, p.r};
-    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
-    const Image<CodeRGB> swapped_codes = quantize(FloydSteinberg{}, swapped.view(), 1);
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), {}, 1);
+    const Image<CodeRGB> swapped_codes = quantize(FloydSteinberg{}, swapped.view(), {}, 1);
     for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
         ASSERT_EQ(swapped_codes.pixels()[i], (CodeRGB{codes.pixels()[i].b, 0, codes.pixels()[i].r}));
     }
@@ -220,7 +220,7 @@ TEST(FloydSteinberg, ChannelsAreIndependent) {
 // A bright part must not be left with errors of the dark one: means of 16 x 16 blocks within a code.
 TEST(FloydSteinberg, KeepsTheMeanOfBlocks) {
     const Image<RGB> picture = random_picture(128, 128, 54);
-    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), {}, 1);
     for (int by = 0; by < 128; by += 16) {
         for (int bx = 0; bx < 128; bx += 16) {
             double difference = 0.0;
@@ -239,7 +239,7 @@ TEST(FloydSteinberg, SurvivesSaturation) {
         picture(x, 0) = {0.9999f, 0.9995f, 0.001f};
         picture(x, 1) = {1.0f, 1.0f, 0.0f};
     }
-    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), 1);
+    const Image<CodeRGB> codes = quantize(FloydSteinberg{}, picture.view(), {}, 1);
     for (int x = 0; x < picture.width(); ++x) {
         ASSERT_GE(codes(x, 1).r, 254);
         ASSERT_GE(codes(x, 1).g, 254);

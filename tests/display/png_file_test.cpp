@@ -1,10 +1,13 @@
 #include "display/png_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,14 +41,11 @@ class PngFile : public testing::Test {
     TemporaryFolder folder_;
 };
 
-Image<CodeRGB> random_image(int width, int height) {
+Image<CodeRGB> random_image(int width, int height, int bits = 8) {
     Pcg32 random(60);
+    const auto code = [&] { return static_cast<std::uint16_t>(random.next() >> (32u - static_cast<unsigned>(bits))); };
     Image<CodeRGB> image(width, height);
-    for (CodeRGB& p : image.pixels()) {
-        const std::uint32_t bits = random.next();
-        p = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8u),
-             static_cast<std::uint8_t>(bits >> 16u)};
-    }
+    for (CodeRGB& p : image.pixels()) p = {code(), code(), code()};
     return image;
 }
 
@@ -77,27 +77,62 @@ std::string data_of(const std::vector<Chunk>& chunks, std::string_view type) {
     return found == chunks.end() ? "no such chunk" : found->data;
 }
 
-/// libpng's simplified reader.
-Image<CodeRGB> read_back(const std::filesystem::path& path) {
-    png_image reader{};
-    reader.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_file(&reader, path.c_str()) == 0) throw std::runtime_error(reader.message);
-    EXPECT_EQ(reader.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
-    reader.format = PNG_FORMAT_RGB;
-    Image<CodeRGB> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
-    if (png_image_finish_read(&reader, nullptr, &image(0, 0).r, 0, nullptr) == 0) {
-        throw std::runtime_error(reader.message);
+struct Samples {
+    int depth = 0;
+    Image<CodeRGB> image;
+};
+
+/// By libpng, as they stand in the file.
+Samples read_back(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(name.c_str(), "rb"), &std::fclose);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, stream.get());
+    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    EXPECT_EQ(png_get_color_type(png, info), PNG_COLOR_TYPE_RGB);
+    Samples read{png_get_bit_depth(png, info), Image<CodeRGB>(static_cast<int>(png_get_image_width(png, info)),
+                                                              static_cast<int>(png_get_image_height(png, info)))};
+    for (int y = 0; y < read.image.height(); ++y) {
+        const png_byte* byte = png_get_rows(png, info)[y];
+        const auto sample = [&] {
+            std::uint16_t value = *byte++;
+            if (read.depth == 16) value = static_cast<std::uint16_t>(value << 8u | *byte++);
+            return value;
+        };
+        for (CodeRGB& pixel : read.image.row(y)) {
+            const std::uint16_t r = sample(), g = sample(), b = sample();
+            pixel = {r, g, b};
+        }
     }
-    return image;
+    png_destroy_read_struct(&png, &info, nullptr);
+    return read;
 }
 
 TEST_F(PngFile, ReadsBackAsWritten) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 300}, {300, 1}, {211, 97}}) {
         const Image<CodeRGB> image = random_image(width, height);
         write_png(file("a.png"), image);
-        EXPECT_EQ(read_back(file("a.png")), image) << width << "x" << height;
+        const Samples read = read_back(file("a.png"));
+        EXPECT_EQ(read.depth, 8);
+        EXPECT_EQ(read.image, image) << width << "x" << height;
     }
     EXPECT_THAT(files(), ElementsAre("a.png"));
+}
+
+TEST_F(PngFile, CodesOfAnyNumberOfBitsAreSpreadAndCanBeToldApart) {
+    for (int bits = 1; bits <= 16; ++bits) {
+        const Image<CodeRGB> image = random_image(301, 97, bits);
+        write_png(file("a.png"), image, {.bits = bits});
+        const Samples read = read_back(file("a.png"));
+        EXPECT_EQ(read.depth, bits <= 8 ? 8 : 16);
+        const double whole = std::exp2(read.depth) - 1.0, most = std::exp2(bits) - 1.0;
+        for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+            ASSERT_LE(std::abs(read.image.pixels()[i].g - image.pixels()[i].g * whole / most), 0.5) << bits;
+        }
+        const std::string sbit = data_of(chunks_of(read_text(file("a.png"))), "sBIT");
+        EXPECT_EQ(sbit, bits == 8 || bits == 16 ? "no such chunk" : std::string(3, static_cast<char>(bits)));
+    }
 }
 
 TEST_F(PngFile, SaysThatItIsSrgb) {
@@ -113,7 +148,7 @@ TEST_F(PngFile, SaysThatItIsSrgb) {
 }
 
 TEST_F(PngFile, CarriesText) {
-    const PngOptions options{{{"Pipeline", "tonemap=max-to-white"}, {"Command Line", "render caf\xc3\xa9"}}};
+    const PngOptions options{.text = {{"Pipeline", "tonemap=max-to-white"}, {"Command Line", "render caf\xc3\xa9"}}};
     write_png(file("a.png"), random_image(5, 4), options);
     const std::vector<Chunk> chunks = chunks_of(read_text(file("a.png")));
     using std::string_literals::operator""s;
@@ -122,7 +157,7 @@ TEST_F(PngFile, CarriesText) {
 }
 
 TEST_F(PngFile, SamePictureSameBytes) {
-    const PngOptions options{{{"Pipeline", "x"}}};
+    const PngOptions options{.text = {{"Pipeline", "x"}}};
     write_png(file("a.png"), random_image(64, 64), options);
     write_png(file("b.png"), random_image(64, 64), options);
     EXPECT_EQ(read_text(file("a.png")), read_text(file("b.png")));
@@ -130,7 +165,7 @@ TEST_F(PngFile, SamePictureSameBytes) {
 
 TEST_F(PngFile, RejectsBadArguments) {
     const Image<CodeRGB> image = random_image(2, 2);
-    const auto write_with = [&](PngText text) { write_png(file("a.png"), image, {{std::move(text)}}); };
+    const auto write_with = [&](PngText text) { write_png(file("a.png"), image, {.text = {std::move(text)}}); };
     for (const char* keyword : {"", " a", "a ", "a  b", "a\n", "caf\xc3\xa9"}) {
         EXPECT_THROW(write_with({keyword, "text"}), std::invalid_argument) << keyword;
     }
@@ -138,6 +173,9 @@ TEST_F(PngFile, RejectsBadArguments) {
     EXPECT_NO_THROW(write_with({std::string(79, 'k'), "text"}));
     std::filesystem::remove(file("a.png"));
     EXPECT_THROW(write_with({"key", std::string("a\0b", 3)}), std::invalid_argument);
+    EXPECT_THROW(write_png(file("a.png"), image, {.bits = 0}), std::invalid_argument);
+    EXPECT_THROW(write_png(file("a.png"), image, {.bits = 17}), std::invalid_argument);
+    EXPECT_THROW(write_png(file("a.png"), image, {.bits = 1}), std::invalid_argument);
     EXPECT_THROW(write_png(file("a.png"), Image<CodeRGB>()), std::invalid_argument);
     EXPECT_THAT(files(), IsEmpty());
 }
@@ -191,7 +229,7 @@ TEST_F(PngFile, ReplacesAnOldFile) {
     write_text(file("a.png"), "old");
     const Image<CodeRGB> image = random_image(3, 3);
     write_png(file("a.png"), image);
-    EXPECT_EQ(read_back(file("a.png")), image);
+    EXPECT_EQ(read_back(file("a.png")).image, image);
     EXPECT_THAT(files(), ElementsAre("a.png"));
 }
 

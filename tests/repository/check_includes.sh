@@ -18,12 +18,12 @@ while IFS='|' read -r _ room _ may _; do
 done < <(sed -n '/| may include |/,/^$/p' docs/architecture.md | grep '^| `src/')
 ((${#allowed[@]} > 0)) || complain "docs/architecture.md: no table of folders found"
 
-# The one room that may include each library's headers. Tests may, too.
-declare -A sole_user=(
+# The rooms that may include each library's headers. Tests may, too.
+declare -A users=(
     ['^(OpenEXR/|Imf|Iex|IlmThread|openexr)']=film
     ['^(libpng[0-9]*/)?png(conf|libconf)?\.h$']=display
     ['^embree']=pathtracer
-    ['^hwy/']=tonemap
+    ['^hwy/']='tonemap display'
 )
 
 # --- Folders
@@ -49,9 +49,9 @@ check_own() {
 }
 check_library() {
     local where=$1 room=$2 header=$3 pattern
-    for pattern in "${!sole_user[@]}"; do
-        if [[ $header =~ $pattern && $room != "${sole_user[$pattern]}" ]]; then
-            complain "$where: <$header>: only ${sole_user[$pattern]} uses this library"
+    for pattern in "${!users[@]}"; do
+        if [[ $header =~ $pattern && " ${users[$pattern]} " != *" $room "* ]]; then
+            complain "$where: <$header>: only ${users[$pattern]} uses this library"
         fi
     done
 }

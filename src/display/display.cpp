@@ -1,0 +1,41 @@
+#include "display/display.h"
+
+#include "core/named_value.h"
+
+namespace emulsion {
+
+namespace {
+
+template <class Preset>
+RgbSpace space_of(const PresetDisplay<Preset>& display) {
+    return rgb_space(display.kSpace);
+}
+
+RgbSpace space_of(const CustomDisplay& display) { return rgb_space(display); }
+
+}  // namespace
+
+void validate(const Display& display) {
+    validate_named(display, "display");
+    if (const auto* custom = std::get_if<CustomDisplay>(&display)) check_triangle(*custom);
+}
+
+RgbSpace rgb_space(const Display& display) {
+    return std::visit([](const auto& chosen) { return space_of(chosen); }, display);
+}
+
+TransferFunction own_transfer(const Display& display) noexcept {
+    return visit_noexcept([](const auto& chosen) { return TransferFunction(chosen.kTransfer); }, display);
+}
+
+DisplayLight light_of(const Display& display) noexcept {
+    return visit_noexcept(
+        [](const auto& chosen) {
+            return DisplayLight{chosen.peak_cdm2, chosen.black_cdm2, chosen.flare_cdm2};
+        },
+        display);
+}
+
+XYZd white_xyz(const Display& display) { return xyz_of(rgb_space(display).white); }
+
+}  // namespace emulsion

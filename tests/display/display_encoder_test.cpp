@@ -1,0 +1,90 @@
+#include "display/display_encoder.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/named_value.h"
+#include "core/random.h"
+#include "display/display_gamut.h"
+
+namespace emulsion {
+namespace {
+
+/// The defaults, and dim ones in lit rooms.
+std::vector<Display> all_displays() {
+    std::vector<Display> all;
+    for_each_alternative<Display>([&](const auto& display) {
+        all.emplace_back(display);
+        auto lit = display;
+        lit.peak_cdm2 = 500.0, lit.black_cdm2 = 0.7, lit.flare_cdm2 = 5.0;
+        all.emplace_back(lit);
+    });
+    return all;
+}
+
+TEST(DisplayEncoder, IsWithinItsToleranceOfTheTwin) {
+    Pcg32 random(60);
+    std::vector<RGB> signal{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 1.0f}, {1e-30f, 1e-38f, 1e-40f}};
+    for (int i = 0; i < 3000; ++i) {
+        const float size = std::pow(random.next_float(), 4.0f);
+        signal.push_back({size * random.next_float(), size * random.next_float(), size * random.next_float()});
+    }
+    for (const Display& display : all_displays()) {
+        const TransferFunction transfer = own_transfer(display);
+        std::vector<RGB> encoded = signal;
+        DisplayEncoder(display, transfer)(encoded);
+        // 6.4e-8 of the table; HLG has 2e-7 relative of its argument on top, which its square root halves.
+        for (std::size_t i = 0; i < signal.size(); ++i) {
+            const RGBd exact = encode_signal(display, transfer, {signal[i].r, signal[i].g, signal[i].b});
+            ASSERT_NEAR(encoded[i].r, exact.r, 1.5e-7) << to_text(display) << ' ' << i;
+            ASSERT_NEAR(encoded[i].g, exact.g, 1.5e-7) << to_text(display) << ' ' << i;
+            ASSERT_NEAR(encoded[i].b, exact.b, 1.5e-7) << to_text(display) << ' ' << i;
+        }
+    }
+}
+
+// SMPTE ST 2084: 100 cd/m^2 has code 0.5080784, 1000 cd/m^2 0.7518271 of the full range.
+TEST(DisplayEncoder, PqCodesAreLuminances) {
+    EXPECT_NEAR(encode_signal(Hdr10Display{}, PqTransfer{}, {0.1, 0.1, 1.0}).r, 0.5080784, 1e-7);
+    EXPECT_NEAR(encode_signal(Hdr10Display{}, PqTransfer{}, {0.1, 0.1, 1.0}).b, 0.7518271, 1e-7);
+    EXPECT_NEAR(encode_signal(SrgbDisplay{100.0}, PqTransfer{}, {1.0, 1.0, 1.0}).g, 0.5080784, 1e-7);
+    // A black of its own is in the code.
+    EXPECT_EQ(encode_signal(Hdr10Display{1000.0, 0.5}, PqTransfer{}, {}).g, encode(PqTransfer{}, 0.5 / 10000.0));
+    EXPECT_EQ(pq_linear({10000.0}, 0.25), 0.25);
+}
+
+// BT.2100-2: 1.2 at 1000 cd/m^2. Decoding by its formulas, OETF^-1 and OOTF, shows the signal again.
+TEST(DisplayEncoder, HlgUndoesTheSystemGamma) {
+    EXPECT_EQ(hlg_system_gamma(1000.0), 1.2);
+    EXPECT_NEAR(hlg_system_gamma(2000.0), 1.3264, 1e-4);
+    const RGBd luminance{0.2627, 0.6780, 0.0593};
+    EXPECT_NEAR(display_gamut(HlgDisplay{}).luminance.g, luminance.g, 5e-5);
+    for (const RGBd& signal : {RGBd{1.0, 1.0, 1.0}, {0.2, 0.5, 0.1}, {0.7, 0.1, 0.3}, {1e-4, 2e-4, 3e-4}}) {
+        const RGBd code = encode_signal(HlgDisplay{}, HlgTransfer{}, signal);
+        const RGBd scene{decode(HlgTransfer{}, code.r), decode(HlgTransfer{}, code.g), decode(HlgTransfer{}, code.b)};
+        const double scene_luminance = luminance.r * scene.r + luminance.g * scene.g + luminance.b * scene.b;
+        const RGBd shown = std::pow(scene_luminance, 0.2) * scene;
+        EXPECT_NEAR(shown.r, signal.r, 1e-5 * signal.r);
+        EXPECT_NEAR(shown.g, signal.g, 1e-5 * signal.g);
+        EXPECT_NEAR(shown.b, signal.b, 1e-5 * signal.b);
+    }
+}
+
+// A full blue would take 0.0593^(-1/6) = 1.60 times the light that HLG encodes.
+TEST(DisplayEncoder, HlgEndsAtOneForBrightSaturatedColours) {
+    EXPECT_NEAR(std::pow(0.0593, -1.0 / 6.0), 1.60, 0.005);
+    EXPECT_NEAR(encode_signal(HlgDisplay{}, HlgTransfer{}, {0.0, 0.0, 1.0}).b, 1.0, 1e-8);
+    EXPECT_LT(encode_signal(HlgDisplay{}, HlgTransfer{}, {0.0, 0.0, 0.5}).b, 1.0);
+}
+
+// On other displays HLG is the camera's curve of the signal.
+TEST(DisplayEncoder, HlgHasASystemGammaOnItsOwnDisplayOnly) {
+    EXPECT_EQ(encode_signal(SrgbDisplay{}, HlgTransfer{}, {0.2, 0.3, 0.4}).r, encode(HlgTransfer{}, 0.2));
+    EXPECT_EQ(encode_signal(HlgDisplay{}, SrgbTransfer{}, {0.2, 0.3, 0.4}).r, encode(SrgbTransfer{}, 0.2));
+}
+
+}  // namespace
+}  // namespace emulsion
