@@ -1,5 +1,6 @@
 #include "develop/pipeline.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -30,8 +31,20 @@ void draw(const ParameterRange& range, Pcg32& random, double& value) {
     while (!range.contains(value));
 }
 void draw(const ParameterRange& range, Pcg32& random, int& value) {
-    do value = std::bit_cast<int>(random.next());
+    const double past = std::floor(std::min(range.max, 1e9)) + 1.0;
+    const double first = std::max(range.min, -1e9);
+    do value = static_cast<int>(std::floor(first + (past - first) * random.next_float()));
     while (!range.contains(value));
+}
+/// One of the choices, as far as there are any.
+template <class T>
+void draw(const Parameter<T>& parameter, Pcg32& random, T& value) {
+    std::visit(
+        [&]<class M>(M T::*member) {
+            if (parameter.words.empty()) return draw(parameter.range, random, value.*member);
+            value.*member = static_cast<M>(parameter.words[random.next() % parameter.words.size()].value);
+        },
+        parameter.member);
 }
 
 /// Gives every parameter a random value in its range.
@@ -39,9 +52,7 @@ template <NamedVariant Variant>
 void randomise(Variant& variant, Pcg32& random) {
     std::visit(
         [&]<class T>(T& value) {
-            for (const Parameter<T>& parameter : parameters_of<T>()) {
-                std::visit([&](auto member) { draw(parameter.range, random, value.*member); }, parameter.member);
-            }
+            for (const Parameter<T>& parameter : parameters_of<T>()) draw(parameter, random, value);
         },
         variant);
 }
@@ -148,7 +159,8 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, display, "
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
+              "display, "
               "gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
