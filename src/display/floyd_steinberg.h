@@ -3,9 +3,8 @@
 
 #include <string_view>
 
-#include "core/color.h"
-#include "core/image.h"
 #include "display/code_value.h"
+#include "display/component_rows.h"
 
 namespace emulsion {
 
@@ -16,9 +15,9 @@ namespace emulsion {
 /// At the border, the shares of pixels outside the picture go to those inside, in proportion to their weights: in the
 /// last row all goes right. Only the error of the last pixel is lost. It is below one code unless pixels there are so
 /// near to 0 or 1 that no code is left to make the error good.
-/// Errors are integers in units of 2^-16 code, and are split without remainder, so that but for that loss the sum of
-/// the codes is exactly that of the values, each rounded to such a unit.
-/// Source: Floyd & Steinberg, "An Adaptive Algorithm for Spatial Greyscale", Proc. SID 17 (1976).
+/// Errors are integers in units of display/code_units.h, and are split without remainder, so that but for that loss the
+/// sum of the codes is exactly that of the values, each rounded to such a unit. Source: Floyd & Steinberg, "An Adaptive
+/// Algorithm for Spatial Greyscale", Proc. SID 17 (1976).
 struct FloydSteinberg {
     static constexpr std::string_view kName = "floyd-steinberg";
     static constexpr std::string_view kHelp = "error diffusion in raster order, in encoded values";
@@ -26,7 +25,7 @@ struct FloydSteinberg {
 };
 
 /// As quantize() in display/dither.h; serial, `threads` is not used.
-void quantize(const FloydSteinberg& dither, ImageView<const RGB> encoded, const CodeScale& scale,
-              ImageView<CodeRGB> codes, int threads);
+void quantize(const FloydSteinberg& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+              int threads);
 
 }  // namespace emulsion
