@@ -6,14 +6,17 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "display/bayer.h"
+#include "display/blue_noise.h"
 #include "display/code_value.h"
 #include "display/floyd_steinberg.h"
 #include "display/no_dither.h"
+#include "display/noise_dither.h"
 
 namespace emulsion {
 
 /// All ways to dither.
-using Dither = std::variant<NoDither, FloydSteinberg>;
+using Dither = std::variant<NoDither, WhiteNoise, TriangularNoise, Bayer, BlueNoise, FloydSteinberg>;
 
 /// Encoded 0 becomes the scale's black, and 1 its white, exactly; no code outside of these is made. Components outside
 /// [0, 1] are taken as the nearest value inside, NaN as 0. The same codes for every number of threads (0: all).
