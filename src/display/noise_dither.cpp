@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "core/row_blocks.h"
-#include "display/threshold_tile.h"
+#include "display/threshold_rows.h"
 
 namespace emulsion {
 
@@ -49,32 +49,26 @@ void round_with_triangular(std::span<const float> encoded, std::span<const Thres
     }
 }
 
-/// Calls body(y, thresholds...) with as many buffers as a row has components, one for each draw.
-template <class Body>
-void for_each_row(const EncodedRows& encoded, int threads, const Body& body) {
-    const RowBlocks blocks(encoded.width, encoded.height);
-    parallel_for(0, blocks.count(), threads, [&](int block) {
-        std::vector<Threshold> first(encoded.row(0).size()), second(encoded.row(0).size());
-        for (int y = blocks.first_row(block); y < blocks.first_row(block + 1); ++y) body(y, first, second);
-    });
-}
-
 }  // namespace
 
 void quantize(const WhiteNoise& /*dither*/, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
               int threads) {
-    for_each_row(encoded, threads, [&](int y, std::span<Threshold> noise, std::span<Threshold> /*second*/) {
+    const auto fill_row = [&](int y, std::span<Threshold> noise) {
         fill_with_noise(Draw::first, y, encoded.channels, noise);
-        round_by_thresholds(encoded.row(y), noise, scale, codes.row(y));
-    });
+    };
+    quantize_by_thresholds(encoded, scale, codes, threads, encoded.width, fill_row);
 }
 
 void quantize(const TriangularNoise& /*dither*/, const EncodedRows& encoded, const CodeScale& scale,
               const CodeRows& codes, int threads) {
-    for_each_row(encoded, threads, [&](int y, std::span<Threshold> first, std::span<Threshold> second) {
-        fill_with_noise(Draw::first, y, encoded.channels, first);
-        fill_with_noise(Draw::second, y, encoded.channels, second);
-        round_with_triangular(encoded.row(y), first, second, scale, codes.row(y));
+    const RowBlocks blocks(encoded.width, encoded.height);
+    parallel_for(0, blocks.count(), threads, [&](int block) {
+        std::vector<Threshold> first(encoded.row(0).size()), second(encoded.row(0).size());
+        for (int y = blocks.first_row(block); y < blocks.first_row(block + 1); ++y) {
+            fill_with_noise(Draw::first, y, encoded.channels, first);
+            fill_with_noise(Draw::second, y, encoded.channels, second);
+            round_with_triangular(encoded.row(y), first, second, scale, codes.row(y));
+        }
     });
 }
 
