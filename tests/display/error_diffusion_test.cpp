@@ -10,6 +10,7 @@
 
 #include "core/random.h"
 #include "display/dither_fixture.h"
+#include "display/power_spectrum.h"
 
 namespace emulsion {
 namespace {
@@ -51,19 +52,80 @@ TEST(FloydSteinberg, CodesHaveNotChanged) {
     EXPECT_EQ(hash, 0xe40024bc5034d2c9u);
 }
 
-TEST(FloydSteinberg, LosesTheErrorOfTheLastPixelAndNothingElse) {
-    for (const auto& [width, height] : {std::pair{1, 1}, {1, 97}, {97, 1}, {2, 2}, {2, 53}, {3, 2}, {101, 103}}) {
-        const Image<RGB> picture = random_picture(width, height, 51);
-        const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), {}, 1));
-        for (const std::int64_t units : {lost.r, lost.g, lost.b}) {
-            EXPECT_LE(std::abs(units), kUnitsPerCode) << width << "x" << height;
-        }
+/// Calls visitor(dither) for every kernel that keeps the mean, in every scan order.
+template <class Visitor>
+void for_each_that_keeps_the_mean(const Visitor& visitor) {
+    for (const ParameterWord& scan : kScanOrders) {
+        visitor(Dither(FloydSteinberg{scan.value}));
+        visitor(Dither(Jarvis{scan.value}));
+        visitor(Dither(Stucki{scan.value}));
+        visitor(Dither(Sierra{scan.value}));
     }
-    // With a last pixel that can take any error, none beyond half a code is lost.
-    Image<RGB> picture = random_picture(64, 64, 52);
-    picture(63, 63) = {0.5f, 0.5f, 0.5f};
-    const auto lost = lost_units(picture, quantize(FloydSteinberg{}, picture.view(), {}, 1));
-    for (const std::int64_t units : {lost.r, lost.g, lost.b}) EXPECT_LE(std::abs(units), kUnitsPerCode / 2);
+}
+
+TEST(ErrorDiffusion, LosesTheErrorOfTheLastPixelAndNothingElse) {
+    for_each_that_keeps_the_mean([](const Dither& dither) {
+        SCOPED_TRACE(to_text(dither));
+        for (const auto& [width, height] :
+             {std::pair{1, 1}, {1, 97}, {97, 1}, {2, 2}, {2, 53}, {3, 2}, {53, 3}, {101, 103}}) {
+            const Image<RGB> picture = random_picture(width, height, 51);
+            const auto lost = lost_units(picture, quantize(dither, picture.view(), {}, 1));
+            for (const std::int64_t units : {lost.r, lost.g, lost.b}) {
+                EXPECT_LE(std::abs(units), kUnitsPerCode) << width << "x" << height;
+            }
+        }
+        // With last pixels that can take any error, none beyond half a code is lost. A Hilbert curve ends top right.
+        Image<RGB> picture = random_picture(64, 64, 52);
+        for (int y = 0; y < 64; ++y) picture(63, y) = {0.5f, 0.5f, 0.5f};
+        const auto lost = lost_units(picture, quantize(dither, picture.view(), {}, 1));
+        for (const std::int64_t units : {lost.r, lost.g, lost.b}) EXPECT_LE(std::abs(units), kUnitsPerCode / 2);
+    });
+}
+
+/// Mean of the first rows of a constant of one bit, 256 pixels wide, less its value.
+double error_of_rows(const Dither& dither, float grey, int rows) {
+    const CodeScale one_bit{0, 1};
+    const Image<std::uint16_t> codes = quantize(dither, constant_grey(256, 256, grey).view(), one_bit, 1);
+    std::int64_t sum = 0;
+    for (int y = 0; y < rows; ++y) {
+        for (const int code : codes.row(y)) sum += code;
+    }
+    return static_cast<double>(sum) / (256.0 * rows) - static_cast<double>(grey);
+}
+
+// A quarter of each error is lost: near the ends nearly all of the grey, in the middle nothing on the whole.
+TEST(Atkinson, MeanIsOff) {
+    EXPECT_NEAR(error_of_rows(Atkinson{}, 0.1f, 256), -0.098, 0.001);
+    EXPECT_NEAR(error_of_rows(Atkinson{}, 0.2f, 256), -0.067, 0.001);
+    EXPECT_NEAR(error_of_rows(Atkinson{}, 0.4f, 256), -0.022, 0.001);
+    EXPECT_NEAR(error_of_rows(Atkinson{}, 0.5f, 256), 0.0, 0.001);
+    EXPECT_NEAR(error_of_rows(Atkinson{}, 0.8f, 256), 0.067, 0.001);
+}
+
+// Start-up: in dark greys the first dots come late. Of a grey of 0.05 in one bit, the first 16 rows lack a quarter by
+// Floyd and Steinberg, more than half by Jarvis; along a Hilbert curve, and by blue noise, they lack nothing.
+TEST(ErrorDiffusion, StartsUpLateInTheDark) {
+    EXPECT_NEAR(error_of_rows(FloydSteinberg{}, 0.05f, 16), -0.012, 0.001);
+    EXPECT_NEAR(error_of_rows(FloydSteinberg{kSerpentineScan}, 0.05f, 16), -0.012, 0.001);
+    EXPECT_NEAR(error_of_rows(Jarvis{}, 0.05f, 16), -0.029, 0.001);
+    EXPECT_NEAR(error_of_rows(FloydSteinberg{kHilbertScan}, 0.05f, 16), 0.0, 0.001);
+    EXPECT_NEAR(error_of_rows(Jarvis{kHilbertScan}, 0.05f, 16), 0.0, 0.001);
+    EXPECT_NEAR(error_of_rows(BlueNoise{}, 0.05f, 16), 0.0, 0.003);
+}
+
+// Regular textures: the strongest frequency's share of all power, at the greys where Floyd and Steinberg's method is
+// known for them. It makes a chessboard of 1/2; other orders only make less of it. Blue noise has none.
+TEST(ErrorDiffusion, HasTexturesAtSimpleFractions) {
+    const auto peak = [](const Dither& dither, float grey) {
+        return peak_share(quantize(dither, constant_grey(128, 128, grey).view(), {0, 1}, 1));
+    };
+    EXPECT_NEAR(peak(FloydSteinberg{}, 0.5f), 1.0, 1e-9);
+    EXPECT_NEAR(peak(FloydSteinberg{}, 1.0f / 3.0f), 0.060, 0.005);
+    EXPECT_NEAR(peak(FloydSteinberg{kSerpentineScan}, 1.0f / 3.0f), 0.032, 0.005);
+    EXPECT_NEAR(peak(FloydSteinberg{kHilbertScan}, 0.5f), 0.095, 0.005);
+    EXPECT_NEAR(peak(FloydSteinberg{kHilbertScan}, 1.0f / 3.0f), 0.078, 0.005);
+    EXPECT_LT(peak(BlueNoise{}, 0.5f), 0.001);
+    EXPECT_LT(peak(BlueNoise{}, 1.0f / 3.0f), 0.001);
 }
 
 /// The rule as it is written, in double precision: each error is divided among the neighbours that exist.
