@@ -18,7 +18,7 @@ namespace emulsion {
 
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own display=srgb gamut=clip
-///     transfer=srgb bits=8 range=full dither=floyd-steinberg
+///     transfer=srgb bits=8 range=full dither=floyd-steinberg:scan=raster
 struct Pipeline {
     Bloom bloom = NoBloom{};                     ///< "bloom"
     Vision vision = NoVision{};                  ///< "vision"
