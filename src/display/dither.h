@@ -10,14 +10,15 @@
 #include "display/blue_noise.h"
 #include "display/code_value.h"
 #include "display/error_diffusion.h"
+#include "display/halftone.h"
 #include "display/no_dither.h"
 #include "display/noise_dither.h"
 
 namespace emulsion {
 
 /// All ways to dither.
-using Dither = std::variant<NoDither, WhiteNoise, TriangularNoise, Bayer, BlueNoise, FloydSteinberg, Jarvis, Stucki,
-                            Sierra, Atkinson>;
+using Dither = std::variant<NoDither, WhiteNoise, TriangularNoise, Bayer, BlueNoise, Halftone, FloydSteinberg, Jarvis,
+                            Stucki, Sierra, Atkinson>;
 
 /// Encoded 0 becomes the scale's black, and 1 its white, exactly; no code outside of these is made. Components outside
 /// [0, 1] are taken as the nearest value inside, NaN as 0. The same codes for every number of threads (0: all).
