@@ -11,7 +11,10 @@ template <class T>
 struct Channel {
     std::span<T> row;
     int channel, channels;
-    [[nodiscard]] T& operator[](int x) const noexcept { return row[static_cast<std::size_t>(x * channels + channel)]; }
+    [[nodiscard]] T& operator[](int x) const noexcept {
+        return row[static_cast<std::size_t>(x) * static_cast<std::size_t>(channels) +
+                   static_cast<std::size_t>(channel)];
+    }
 };
 
 /// Of every pixel of a row with `below` rows below it.
@@ -40,7 +43,8 @@ void diffuse_plainly(const DiffusionKernel& kernel, RowOrder order, const Encode
             out[x] = take_code(error, units, scale);
             const int place = 3 * std::min(2, i) + std::min(2, width - 1 - i);
             neighbours[static_cast<std::size_t>(place)].hand_on(kernel, error, [&](int dx, int dy, std::int64_t share) {
-                incoming.row(y + dy)[static_cast<std::size_t>(x + direction * dx)] += share;
+                const int to = x + direction * dx;
+                incoming.row(y + dy)[static_cast<std::size_t>(to)] += share;
             });
         }
         std::ranges::fill(incoming.row(y), 0);

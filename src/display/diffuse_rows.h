@@ -15,7 +15,7 @@ namespace emulsion {
 /// whose errors are split otherwise, hand theirs down; the last rows are left to diffuse_plainly(), as are pictures of
 /// less than 8 columns and of more than 2^15 rows.
 /// For the kernels in display/diffusion_kernel.h, and one or three channels.
-template <const DiffusionKernel& kKernel>
+template <const DiffusionKernel& Kernel>
 void diffuse_rows(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
                   int threads);
 

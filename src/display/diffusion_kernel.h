@@ -3,7 +3,7 @@
 
 #include <array>
 #include <bit>
-#include <cstdint>
+#include <cstddef>
 
 namespace emulsion {
 
@@ -21,7 +21,8 @@ struct DiffusionKernel {
 
     /// Of the pixel `dx` ahead (from -2 to 2) and `dy` below (from 0 to 2).
     [[nodiscard]] constexpr int weight(int dx, int dy) const noexcept {
-        return weights[static_cast<std::size_t>(dy)][static_cast<std::size_t>(dx + 2)];
+        const int column = dx + 2;
+        return weights[static_cast<std::size_t>(dy)][static_cast<std::size_t>(column)];
     }
     /// Of all weights; less than the divisor if some of the error is not handed on.
     [[nodiscard]] constexpr int total() const noexcept {
@@ -88,10 +89,11 @@ class DiffusionNeighbours {
                 if (weight == 0 || -dx > behind || dx > ahead) continue;
                 total_ += weight;
                 const bool is_rest = below > 0 ? dx == 0 && dy == 1 : dx == 1;
-                if (is_rest)
+                if (is_rest) {
                     rest_ = {dx, dy, weight};
-                else
-                    others_[count_++] = {dx, dy, weight};
+                } else {
+                    others_[static_cast<std::size_t>(count_++)] = {dx, dy, weight};
+                }
             }
         }
         all_there_ = total_ == kernel.total();
@@ -106,7 +108,7 @@ class DiffusionNeighbours {
         const Int handed = kernel.handed_on(error);
         Int rest = handed;
         for (int i = 0; i < count_; ++i) {
-            const Neighbour& to = others_[i];
+            const Neighbour& to = others_[static_cast<std::size_t>(i)];
             const Int share =
                 all_there_ ? kernel.share(error, to.weight) : static_cast<Int>(handed * to.weight / total_);
             give(to.dx, to.dy, share);

@@ -7,11 +7,11 @@ namespace emulsion {
 
 namespace {
 
-template <const DiffusionKernel& kKernel>
+template <const DiffusionKernel& Kernel>
 void diffuse(int scan, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes, int threads) {
-    if (scan == kHilbertScan) return diffuse_hilbert(kKernel, encoded, scale, codes);
+    if (scan == kHilbertScan) return diffuse_hilbert(Kernel, encoded, scale, codes);
     const RowOrder order = scan == kSerpentineScan ? RowOrder::serpentine : RowOrder::raster;
-    diffuse_rows<kKernel>(order, encoded, scale, codes, threads);
+    diffuse_rows<Kernel>(order, encoded, scale, codes, threads);
 }
 
 }  // namespace

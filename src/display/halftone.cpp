@@ -50,8 +50,7 @@ std::vector<PlaceInCell> places_by_rank(const HalftoneCell& cell) {
         for (int x = 0; x < cell.pixels(); ++x) places.push_back(place_in(cell, x, y));
     }
     std::ranges::sort(places);
-    const auto repeated = std::ranges::unique(places);
-    places.erase(repeated.begin(), repeated.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     std::ranges::stable_sort(places, {}, [&](const PlaceInCell& place) { return distance(cell, place); });
     return places;
 }
@@ -71,11 +70,13 @@ std::vector<int> halftone_ranks(const HalftoneCell& cell) {
     const int side = cell.pixels();
     const std::span<const int> classical = classical_cell(cell);
     const std::vector<PlaceInCell> places = places_by_rank(cell);
+    const auto columns = static_cast<std::size_t>(cell.a);  // of a classical cell
     std::vector<int> ranks;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             if (!classical.empty()) {
-                ranks.push_back(classical[static_cast<std::size_t>(y % cell.a * cell.a + x % cell.a)]);
+                ranks.push_back(
+                    classical[static_cast<std::size_t>(y % cell.a) * columns + static_cast<std::size_t>(x % cell.a)]);
                 continue;
             }
             const auto found = std::ranges::find(places, place_in(cell, x, y));

@@ -65,13 +65,13 @@ class DotPattern {
                                      kWideHeight * std::exp(-square / (2.0 * kWideSigma_px * kWideSigma_px))));
     }
 
-    template <Energy kSign>
+    template <Energy Sign>
     void add_around(std::size_t i) noexcept {
         const std::size_t column = i % size_, row = i / size_;
         for (std::size_t y = 0; y < size_; ++y) {
             const Energy* around = &around_[(y + size_ - row) * 2 * size_ + size_ - column];
             Energy* energy = &energy_[y * size_];
-            for (std::size_t x = 0; x < size_; ++x) energy[x] += kSign * around[x];
+            for (std::size_t x = 0; x < size_; ++x) energy[x] += Sign * around[x];
         }
     }
 

@@ -46,14 +46,14 @@ TEST(DiffuseRows, CodesAreThoseOfThePlainOne) {
     for (const auto& [width, height] :
          {std::pair{1, 9}, {7, 9}, {8, 1}, {8, 2}, {8, 3}, {9, 4}, {13, 40}, {64, 64}, {65, 31}, {66, 30}, {333, 77}}) {
         const Image<RGB> picture = hard_picture(width, height);
-        for_each_kernel([&]<const DiffusionKernel & kKernel>() {
+        for_each_kernel([&]<const DiffusionKernel & Kernel>() {
             for (const RowOrder order : {RowOrder::raster, RowOrder::serpentine}) {
                 for (const CodeScale& scale : every_scale()) {
-                    const Image<CodeRGB> plain = plain_codes(kKernel, order, picture, scale);
+                    const Image<CodeRGB> plain = plain_codes(Kernel, order, picture, scale);
                     for (const int threads : {1, 2, 3, 8}) {
                         Image<CodeRGB> codes(width, height);
-                        diffuse_rows<kKernel>(order, rgb_rows(picture.view()), scale, rgb_rows(codes.view()), threads);
-                        ASSERT_EQ(codes, plain) << width << "x" << height << ", divisor " << kKernel.divisor
+                        diffuse_rows<Kernel>(order, rgb_rows(picture.view()), scale, rgb_rows(codes.view()), threads);
+                        ASSERT_EQ(codes, plain) << width << "x" << height << ", divisor " << Kernel.divisor
                                                 << ", white " << scale.white << ", threads " << threads;
                     }
                 }
