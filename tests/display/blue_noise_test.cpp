@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "display/dither_fixture.h"
-#include "display/power_spectrum.h"
 #include "display/void_and_cluster.h"
+#include "dither_fixture.h"
+#include "power_spectrum.h"
 
 namespace emulsion {
 namespace {

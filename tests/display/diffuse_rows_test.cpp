@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "display/dither_fixture.h"
+#include "dither_fixture.h"
 
 namespace emulsion {
 namespace {

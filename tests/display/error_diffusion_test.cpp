@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "display/dither_fixture.h"
-#include "display/power_spectrum.h"
+#include "dither_fixture.h"
+#include "power_spectrum.h"
 
 namespace emulsion {
 namespace {

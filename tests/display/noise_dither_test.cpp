@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "display/dither_fixture.h"
-#include "display/power_spectrum.h"
+#include "dither_fixture.h"
+#include "power_spectrum.h"
 
 namespace emulsion {
 namespace {
