@@ -77,6 +77,9 @@ void validate_named(const T& value, std::string_view kind = "") {
     for (const Parameter<T>& parameter : parameters_of<T>()) {
         const std::string what = parameter_label(kind, T::kName, parameter.name);
         std::visit([&](auto member) { check_range(value.*member, parameter.range, what); }, parameter.member);
+        if (parameter.words.empty()) continue;
+        std::visit([&](auto member) { check_word(static_cast<int>(value.*member), parameter.words, what); },
+                   parameter.member);
     }
     if constexpr (NamedTable<T>) check_points(value, named_label(kind, T::kName));
 }
@@ -90,6 +93,9 @@ void validate_named(const Variant& variant, std::string_view kind = "") {
 template <NamedValue T>
 [[nodiscard, gnu::noinline]] std::string parameter_text(const T& value, const Parameter<T>& parameter) {
     const auto text_of = [&](auto member) {
+        for (const ParameterWord& choice : parameter.words) {
+            if (static_cast<int>(value.*member) == choice.value) return std::string(choice.word);
+        }
         const bool is_word = !parameter.zero_word.empty() && value.*member == 0;
         return is_word ? std::string(parameter.zero_word) : number_text(value.*member);
     };
@@ -137,8 +143,9 @@ template <NamedVariant Variant>
         NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
             description.parameters.push_back({parameter.name, parameter_text(defaults, parameter),
-                                              range_text(parameter.range, parameter.zero_word), parameter.unit,
-                                              parameter.help});
+                                              parameter.words.empty() ? range_text(parameter.range, parameter.zero_word)
+                                                                      : range_text(parameter.words),
+                                              parameter.unit, parameter.help});
         }
         all.push_back(std::move(description));
     });
@@ -164,6 +171,11 @@ struct NamedText {
 template <NamedValue T>
 [[gnu::noinline]] void read_parameter(std::string_view text, std::string_view what, T& value,
                                       const Parameter<T>& parameter) {
+    if (!parameter.words.empty()) {
+        const int choice = parse_word(text, what, parameter.words);
+        std::visit([&]<class M>(M T::*member) { value.*member = static_cast<M>(choice); }, parameter.member);
+        return;
+    }
     const bool is_word = !parameter.zero_word.empty() && name_key(text) == name_key(parameter.zero_word);
     std::visit([&](auto member) { is_word ? void(value.*member = 0) : parse_number(text, what, value.*member); },
                parameter.member);

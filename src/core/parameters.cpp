@@ -1,10 +1,13 @@
 #include "core/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <concepts>
 #include <stdexcept>
 #include <system_error>
+
+#include "core/name_key.h"
 
 namespace emulsion {
 
@@ -51,6 +54,15 @@ std::string range_text(const ParameterRange& range, std::string_view zero_word) 
     return std::string(zero_word) + " or " + to_text(without_zero);
 }
 
+std::string range_text(std::span<const ParameterWord> words) {
+    std::string text = "{";
+    for (const ParameterWord& choice : words) {
+        if (text.size() > 1) text += ", ";
+        text += choice.word;
+    }
+    return text + '}';
+}
+
 std::string number_text(float value) { return shortest_text(value); }
 std::string number_text(double value) { return shortest_text(value); }
 std::string number_text(int value) { return shortest_text(value); }
@@ -67,6 +79,19 @@ void check_range(double value, const ParameterRange& range, std::string_view wha
 }
 void check_range(int value, const ParameterRange& range, std::string_view what) {
     check(static_cast<double>(value), number_text(value), range, what);
+}
+
+int parse_word(std::string_view text, std::string_view what, std::span<const ParameterWord> words) {
+    for (const ParameterWord& choice : words) {
+        if (name_key(text) == name_key(choice.word)) return choice.value;
+    }
+    throw std::invalid_argument(std::string(what) + " = \"" + std::string(text) + "\": must be in " +
+                                range_text(words));
+}
+
+void check_word(int value, std::span<const ParameterWord> words, std::string_view what) {
+    if (std::ranges::find(words, value, &ParameterWord::value) != words.end()) return;
+    throw std::invalid_argument(std::string(what) + " = " + number_text(value) + ": must be in " + range_text(words));
 }
 
 }  // namespace emulsion

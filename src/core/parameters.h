@@ -14,6 +14,7 @@
 // The default is the member's own initialiser. A type without data members needs no table.
 
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -45,6 +46,12 @@ inline constexpr ParameterRange kPositive = {0.0, kInfinity, RangeEnd::open, Ran
 inline constexpr ParameterRange kNotNegativeFinite = {0.0, kInfinity, RangeEnd::closed, RangeEnd::open};
 inline constexpr ParameterRange kNotNegative = {0.0, kInfinity, RangeEnd::closed, RangeEnd::closed};  ///< or infinite
 
+/// A value of a parameter that stands for a choice, and the word that it is written as.
+struct ParameterWord {
+    std::string_view word;  ///< lower case; a number where the choice is one of a few numbers
+    int value;
+};
+
 /// One parameter of the value type T.
 template <class T>
 struct Parameter {
@@ -55,13 +62,15 @@ struct Parameter {
     std::string_view help;                                   ///< one line, no full stop
     /// How 0 is written, where it is no number but stands for a choice: "auto". It is then the least of the range.
     std::string_view zero_word = {};
+    /// Where the values are a few choices, all of them; the range then is that of their values.
+    std::span<const ParameterWord> words = {};
 };
 
 /// What --help says about a parameter.
 struct ParameterDescription {
     std::string_view name;
     std::string default_text;  ///< as to_text() prints it
-    std::string range_text;    ///< as to_text(ParameterRange) prints it; "auto or (0, 1]" with a word for 0
+    std::string range_text;    ///< as range_text() prints it
     std::string_view unit;
     std::string_view help;
     bool operator==(const ParameterDescription&) const = default;
@@ -72,6 +81,9 @@ struct ParameterDescription {
 
 /// The same where 0 is written as a word: "auto or (0, 1]", the range being [0, 1].
 [[nodiscard]] std::string range_text(const ParameterRange& range, std::string_view zero_word);
+
+/// The choices where a parameter has words: "{2, 4, 8}".
+[[nodiscard]] std::string range_text(std::span<const ParameterWord> words);
 
 /// The shortest text that parse_number reads back as the same value; "inf" and "-inf" for the infinities.
 [[nodiscard]] std::string number_text(float value);
@@ -89,5 +101,11 @@ void parse_number(std::string_view text, std::string_view what, int& value);
 void check_range(float value, const ParameterRange& range, std::string_view what);
 void check_range(double value, const ParameterRange& range, std::string_view what);
 void check_range(int value, const ParameterRange& range, std::string_view what);
+
+/// The choice that `text` is the word of. \throws std::invalid_argument naming `what` and the words, if there is none.
+[[nodiscard]] int parse_word(std::string_view text, std::string_view what, std::span<const ParameterWord> words);
+
+/// \throws std::invalid_argument naming `what`, the value and the words, unless one of the words stands for the value.
+void check_word(int value, std::span<const ParameterWord> words, std::string_view what);
 
 }  // namespace emulsion

@@ -19,7 +19,8 @@ namespace emulsion {
 
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own white=none
-///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full dither=floyd-steinberg
+///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
+///     dither=floyd-steinberg:scan=raster
 struct Pipeline {
     Bloom bloom = NoBloom{};                    ///< "bloom"
     Vision vision = NoVision{};                 ///< "vision"

@@ -1,7 +1,10 @@
 #pragma once
 // Code values: what a file or a display is sent.
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <variant>
 
@@ -42,10 +45,15 @@ struct CodeScale {
 /// \throws std::invalid_argument naming bits and their range: 1 to 16, 8 to 16 for the narrow range.
 [[nodiscard]] CodeScale code_scale(int bits, const CodeRange& range);
 
-/// A component for the quantizers: NaN as 0, others to the nearest value in [0, 1].
+/// A component for the quantizers: NaN as 0, others to the nearest value in [0, 1]. In the bits of the float, which are
+/// ordered as positive floats are, since compilers take a comparison of floats for one that may trap, and then won't
+/// make vectors of the loop.
 [[nodiscard]] constexpr float unit_clamp(float encoded) noexcept {
-    const float above = encoded > 0.0f ? encoded : 0.0f;
-    return above < 1.0f ? above : 1.0f;
+    constexpr auto kOne = std::bit_cast<std::int32_t>(1.0f),
+                   kInfinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+    const auto bits = std::bit_cast<std::int32_t>(encoded);
+    const std::int32_t number = bits & -static_cast<std::int32_t>(bits <= kInfinite);
+    return std::bit_cast<float>(std::clamp(number, 0, kOne));
 }
 
 }  // namespace emulsion

@@ -1,6 +1,7 @@
 #include "display/no_dither.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/row_blocks.h"
@@ -17,14 +18,12 @@ std::uint16_t nearest_code(float encoded, const CodeScale& scale) noexcept {
 
 }  // namespace
 
-void quantize(const NoDither& /*dither*/, ImageView<const RGB> encoded, const CodeScale& scale,
-              ImageView<CodeRGB> codes, int threads) {
-    parallel_for_rows(encoded.width(), encoded.height(), threads, [&](int y) {
-        const std::span<const RGB> in = encoded.row(y);
-        const std::span<CodeRGB> out = codes.row(y);
-        for (std::size_t x = 0; x < in.size(); ++x) {
-            out[x] = {nearest_code(in[x].r, scale), nearest_code(in[x].g, scale), nearest_code(in[x].b, scale)};
-        }
+void quantize(const NoDither& /*dither*/, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+              int threads) {
+    parallel_for_rows(encoded.width, encoded.height, threads, [&](int y) {
+        const std::span<const float> in = encoded.row(y);
+        const std::span<std::uint16_t> out = codes.row(y);
+        for (std::size_t i = 0; i < in.size(); ++i) out[i] = nearest_code(in[i], scale);
     });
 }
 

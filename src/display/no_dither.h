@@ -3,9 +3,8 @@
 
 #include <string_view>
 
-#include "core/color.h"
-#include "core/image.h"
 #include "display/code_value.h"
+#include "display/component_rows.h"
 
 namespace emulsion {
 
@@ -17,7 +16,7 @@ struct NoDither {
 };
 
 /// As quantize() in display/dither.h.
-void quantize(const NoDither& dither, ImageView<const RGB> encoded, const CodeScale& scale, ImageView<CodeRGB> codes,
+void quantize(const NoDither& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

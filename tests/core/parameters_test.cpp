@@ -180,6 +180,37 @@ TEST(NamedValue, DescribesTheWordForZero) {
     EXPECT_EQ(range_text({0.0, 1.0}, ""), "[0, 1]");
 }
 
+constexpr std::array kSizes = {ParameterWord{"2", 2}, ParameterWord{"8", 8}, ParameterWord{"every", 0}};
+
+struct Chosen {
+    static constexpr std::string_view kName = "chosen";
+    static constexpr std::string_view kHelp = "of a few";
+    int size = 8;
+    bool operator==(const Chosen&) const = default;
+
+    static constexpr std::array kParameters = {
+        Parameter<Chosen>{"size", &Chosen::size, {0.0, 8.0}, "px", "how large", {}, kSizes}};
+};
+using ChosenAlone = std::variant<Chosen>;
+
+TEST(NamedValue, ChoicesAreWrittenAndReadAsWords) {
+    EXPECT_EQ(to_text(Chosen{}), "chosen:size=8");
+    EXPECT_EQ(to_text(Chosen{0}), "chosen:size=every");
+    EXPECT_EQ(parse_named<ChosenAlone>("chosen:size=2", "thing"), ChosenAlone(Chosen{2}));
+    EXPECT_EQ(parse_named<ChosenAlone>("chosen:size=Every", "thing"), ChosenAlone(Chosen{0}));
+    EXPECT_EQ(describe_named<ChosenAlone>()[0].parameters[0].range_text, "{2, 8, every}");
+}
+
+TEST(NamedValue, OtherThanTheChoicesAreRefused) {
+    for (const std::string_view wrong : {"0", "4", "16", "", "ever"}) {
+        EXPECT_THAT([&] { (void)parse_named<ChosenAlone>("chosen:size=" + std::string(wrong), "thing"); },
+                    ThrowsMessage<std::invalid_argument>(
+                        StrEq("thing chosen: size = \"" + std::string(wrong) + "\": must be in {2, 8, every}")));
+    }
+    EXPECT_THAT([] { validate_named(Chosen{4}, "thing"); },
+                ThrowsMessage<std::invalid_argument>(StrEq("thing chosen: size = 4: must be in {2, 8, every}")));
+}
+
 TEST(NamedValue, CaseMakesNoDifference) {
     EXPECT_EQ(message_of("Blur:RADIUS=2,Passes=3"), message_of("blur:radius=2,passes=3"));
     EXPECT_EQ(message_of("BLUR").substr(0, 14), "no error: blur");

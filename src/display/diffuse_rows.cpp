@@ -1,0 +1,324 @@
+#include "display/diffuse_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/parallel.h"
+#include "display/wavefront.h"
+
+namespace emulsion {
+
+namespace {
+
+/// Errors in units. A white part at the right border takes errors from its left that find no code, row by row: fewer
+/// than 0.12 codes a row (tests/display/diffusion_kernel_test.cpp). So 7/16 of the error of 2^15 rows are within 32
+/// bits.
+using Units = std::int32_t;
+constexpr int kMostRows = 1 << 15;
+
+constexpr int kPadding_px = 2;  // beside a row of errors: the reach of the widest kernel
+constexpr int kEdge_px = 4;     // that pixels within that reach of a border hand errors down to
+constexpr int kLeastWidth_px = 2 * kEdge_px;
+
+/// The errors of a row as the rows below want them; 0 beside it, and for pixels that hand theirs down themselves.
+struct RowErrors {
+    std::vector<Units> parts;  ///< the error where shares are rounded each, else the divisor's part of it
+    std::vector<Units> rests;  ///< what goes below; empty where shares are rounded each
+
+    template <const DiffusionKernel& Kernel>
+    static RowErrors make(std::size_t size) {
+        return {std::vector<Units>(size), std::vector<Units>(Kernel.rounding == ShareRounding::parts ? size : 0)};
+    }
+};
+
+/// Where a row's errors are read from: component 0 of the row, and components from a pixel to the next that was
+/// rounded.
+struct ErrorSource {
+    const Units *parts, *rests;
+    std::ptrdiff_t step;
+};
+
+/// Compilers are to see every weight as a number, and so these are templates.
+template <const DiffusionKernel& Kernel, int Dx, int Dy>
+Units share(Units error) noexcept {
+    constexpr int kWeight = Kernel.weight(Dx, Dy);
+    if constexpr (kWeight == 0) return 0;
+    return Kernel.share(error, kWeight);
+}
+
+/// What a pixel below gets of an error if all its neighbours are there.
+template <const DiffusionKernel& Kernel>
+Units rest_below(Units error) noexcept {
+    constexpr int kOthers = Kernel.total() - Kernel.weight(0, 1);
+    if constexpr (Kernel.rounding == ShareRounding::parts) {
+        return Kernel.handed_on(error) - kOthers * Kernel.floor_quotient(error);
+    } else {
+        static_assert(Kernel.reach() == 1);
+        return Kernel.handed_on(error) -
+               (share<Kernel, 1, 0>(error) + share<Kernel, -1, 1>(error) + share<Kernel, 1, 1>(error));
+    }
+}
+
+/// What component i gets from the pixel that it is Dx ahead and Dy below of.
+template <const DiffusionKernel& Kernel, int Dx, int Dy>
+Units share_from(const ErrorSource& source, std::ptrdiff_t i) noexcept {
+    constexpr int kWeight = Kernel.weight(Dx, Dy);
+    if constexpr (kWeight == 0) {
+        return 0;
+    } else if constexpr (Kernel.rounding == ShareRounding::parts) {
+        return Dx == 0 && Dy == 1 ? source.rests[i] : kWeight * source.parts[i - Dx * source.step];
+    } else {
+        const Units error = source.parts[i - Dx * source.step];
+        return Dx == 0 && Dy == 1 ? rest_below<Kernel>(error) : share<Kernel, Dx, Dy>(error);
+    }
+}
+
+/// From all pixels of the row so far up. Inlined whatever compilers think: only then do they make vectors of the loop.
+template <const DiffusionKernel& Kernel, int Dy>
+[[gnu::always_inline]] inline Units shares_from(const ErrorSource& source, std::ptrdiff_t i) noexcept {
+    return share_from<Kernel, -2, Dy>(source, i) + share_from<Kernel, -1, Dy>(source, i) +
+           share_from<Kernel, 0, Dy>(source, i) + share_from<Kernel, 1, Dy>(source, i) +
+           share_from<Kernel, 2, Dy>(source, i);
+}
+
+/// Values of components [begin, end) with the shares of the errors above them: one row up and, for wide kernels, two.
+template <const DiffusionKernel& Kernel>
+void gather(std::span<const float> encoded, const CodeUnits& units, const ErrorSource& one_up,
+            const ErrorSource& two_up, std::span<Units> values, std::ptrdiff_t begin, std::ptrdiff_t end) noexcept {
+    const float* in = encoded.data();
+    Units* out = values.data();
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+        Units value = units(in[i]) + shares_from<Kernel, 1>(one_up, i);
+        if constexpr (Kernel.reach() == 2) value += shares_from<Kernel, 2>(two_up, i);
+        out[i] = value;
+    }
+}
+
+/// A picture that is being rounded.
+template <const DiffusionKernel& Kernel, int Channels>
+class RowDiffusion {
+  public:
+    /// `rows_at_once` rows may be under way at the same time.
+    RowDiffusion(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+                 int rows_at_once)
+        : order_(order),
+          encoded_(encoded),
+          scale_(scale),
+          units_(scale),
+          codes_(codes),
+          edges_(static_cast<std::size_t>(encoded.height)),
+          states_(edges_.size()) {
+        for (int i = 0; i < rows_at_once + 2; ++i) {
+            errors_.push_back(RowErrors::make<Kernel>(encoded.row(0).size() + 2 * kPadding));
+        }
+    }
+
+    /// Rounds row y, which is above the last rows, on from where it was left to before column x1. Rows above are done
+    /// as far as x1 + reach. `values` is room for a row.
+    void round_to(int y, int x1, std::span<Units> values) noexcept {
+        RowState& state = states_[static_cast<std::size_t>(y)];
+        const int x0 = std::exchange(state.done, x1);
+        Carry& carry = state.carry;
+        constexpr int kReach = Kernel.reach();
+        const int width = encoded_.width, direction = row_direction(order_, y);
+        gather_values(y, x0, x1, values);
+        // In the order of the row: its first pixels, those that have all their neighbours, its last pixels
+        const int begin = direction > 0 ? x0 : width - x1, end = direction > 0 ? x1 : width - x0;
+        const int inner_begin = std::clamp(kReach, begin, end),
+                  inner_end = std::clamp(width - kReach, inner_begin, end);
+        for (int i = begin; i < inner_begin; ++i) round_at_border(y, i, carry, values);
+        if (direction > 0) {
+            round_inside<1>(y, inner_begin, inner_end, carry, values);
+        } else {
+            round_inside<-1>(y, inner_begin, inner_end, carry, values);
+        }
+        for (int i = inner_end; i < end; ++i) round_at_border(y, i, carry, values);
+    }
+
+    /// What has reached the last rows, `first_row` and below, of one channel.
+    [[nodiscard]] IncomingErrors incoming(int first_row, int channel) {
+        IncomingErrors all(encoded_.width);
+        const CodeUnits no_units(CodeScale{0, 1});
+        const std::vector<float> black(encoded_.row(0).size());
+        std::vector<Units> values(black.size());
+        for (int y = first_row; y < std::min(first_row + Kernel.reach(), encoded_.height); ++y) {
+            const auto size = static_cast<std::ptrdiff_t>(values.size());
+            gather<Kernel>(black, no_units, source(y - 1, first_row), source(y - 2, first_row), values, 0, size);
+            add_edges(y, 0, encoded_.width, values);
+            for (int x = 0; x < encoded_.width; ++x) {
+                all.row(y)[static_cast<std::size_t>(x)] = values[component(x, channel)];
+            }
+        }
+        return all;
+    }
+
+  private:
+    [[nodiscard]] static std::size_t component(int x, int channel) noexcept {
+        return static_cast<std::size_t>(x) * Channels + static_cast<std::size_t>(channel);
+    }
+
+    static constexpr std::size_t kPadding = std::size_t{kPadding_px} * Channels;
+
+    /// What a row hands on within itself: to the next pixel and to the one after it.
+    struct Carry {
+        std::array<Units, Channels> next{}, after_next{};
+    };
+    struct RowState {
+        int done = 0;  ///< columns
+        Carry carry;
+    };
+
+    /// Errors handed down to the pixels near the left and right border of a row.
+    using Edges = std::array<Units, std::size_t{kLeastWidth_px} * Channels>;
+
+    [[nodiscard]] RowErrors& errors(int y) noexcept { return errors_[static_cast<std::size_t>(y) % errors_.size()]; }
+
+    /// Nothing comes from outside of the picture, and nothing is kept of rows from `end` on.
+    [[nodiscard]] ErrorSource source(int y, int end) noexcept {
+        if (y < 0 || y >= end) return {nothing_.data() + kPadding, nothing_.data() + kPadding, Channels};
+        const RowErrors& row = errors(y);
+        const Units* rests = row.rests.empty() ? nullptr : row.rests.data() + kPadding;
+        return {row.parts.data() + kPadding, rests, std::ptrdiff_t{Channels} * row_direction(order_, y)};
+    }
+
+    void gather_values(int y, int x0, int x1, std::span<Units> values) noexcept {
+        gather<Kernel>(encoded_.row(y), units_, source(y - 1, y), source(y - 2, y), values,
+                       std::ptrdiff_t{x0} * Channels, std::ptrdiff_t{x1} * Channels);
+        add_edges(y, x0, x1, values);
+    }
+
+    void add_edges(int y, int x0, int x1, std::span<Units> values) noexcept {
+        const Edges& edges = edges_[static_cast<std::size_t>(y)];
+        const auto add = [&](int x, int place) {
+            for (int c = 0; c < Channels; ++c) {
+                values[component(x, c)] += edges[component(place, c)];
+            }
+        };
+        const int right = encoded_.width - kEdge_px;
+        for (int x = x0; x < std::min(x1, kEdge_px); ++x) add(x, x);
+        for (int x = std::max(x0, right); x < x1; ++x) add(x, x - right + kEdge_px);
+    }
+
+    /// The pixels [begin, end) in the order of the row, which have all neighbours.
+    template <int Direction>
+    void round_inside(int y, int begin, int end, Carry& carry, std::span<const Units> values) noexcept {
+        const int first = Direction > 0 ? begin : encoded_.width - 1 - begin;
+        const std::ptrdiff_t start = std::ptrdiff_t{first} * Channels;
+        const Units* value = values.data() + start;
+        std::uint16_t* code = codes_.row(y).data() + start;
+        RowErrors& row = errors(y);
+        Units* part = row.parts.data() + kPadding + start;
+        Units* rest = part;
+        if constexpr (Kernel.rounding == ShareRounding::parts) rest = row.rests.data() + kPadding + start;
+        Carry now = carry;
+        for (int i = begin; i < end; ++i) {
+            for (int c = 0; c < Channels; ++c) {
+                const auto channel = static_cast<std::size_t>(c);
+                Units error = value[c] + now.next[channel];
+                code[c] = take_code(error, units_, scale_);
+                now.next[channel] = now.after_next[channel] + share<Kernel, 1, 0>(error);
+                now.after_next[channel] = share<Kernel, 2, 0>(error);
+                if constexpr (Kernel.rounding == ShareRounding::parts) {
+                    part[c] = Kernel.floor_quotient(error);
+                    rest[c] = rest_below<Kernel>(error);
+                } else {
+                    part[c] = error;
+                }
+            }
+            constexpr std::ptrdiff_t kStep = std::ptrdiff_t{Direction} * Channels;
+            value += kStep, code += kStep, part += kStep;
+            if constexpr (Kernel.rounding == ShareRounding::parts) rest += kStep;
+        }
+        carry = now;
+    }
+
+    /// Pixel i in the order of the row, near a border.
+    void round_at_border(int y, int i, Carry& carry, std::span<const Units> values) noexcept {
+        const int width = encoded_.width, direction = row_direction(order_, y);
+        const int x = direction > 0 ? i : width - 1 - i;
+        const DiffusionNeighbours& neighbours = i < width / 2 ? near_begin_[static_cast<std::size_t>(i)]
+                                                              : near_end_[static_cast<std::size_t>(width - 1 - i)];
+        for (int c = 0; c < Channels; ++c) {
+            const auto channel = static_cast<std::size_t>(c);
+            Units error = values[component(x, c)] + carry.next[channel];
+            codes_.row(y)[component(x, c)] = take_code(error, units_, scale_);
+            carry.next[channel] = std::exchange(carry.after_next[channel], 0);
+            neighbours.hand_on(Kernel, error, [&](int dx, int dy, Units share) {
+                if (dy == 0) {
+                    (dx == 1 ? carry.next : carry.after_next)[channel] += share;
+                    return;
+                }
+                const int to = x + direction * dx, place = to < kEdge_px ? to : to - width + 2 * kEdge_px;
+                const int row = y + dy;
+                edges_[static_cast<std::size_t>(row)][component(place, c)] += share;
+            });
+        }
+    }
+
+    RowOrder order_;
+    EncodedRows encoded_;
+    CodeScale scale_;
+    CodeUnits units_;
+    CodeRows codes_;
+    std::vector<RowErrors> errors_;  // of row y at y modulo their number
+    std::vector<Units> nothing_ = std::vector<Units>(encoded_.row(0).size() + 2 * kPadding);
+    std::vector<Edges> edges_;  // of all rows
+    std::vector<RowState> states_;
+    /// Of the first two pixels in the order of the row, and of the last two from the end.
+    std::array<DiffusionNeighbours, 2> near_begin_ = {DiffusionNeighbours(Kernel, 0, 2, 2),
+                                                      DiffusionNeighbours(Kernel, 1, 2, 2)};
+    std::array<DiffusionNeighbours, 2> near_end_ = {DiffusionNeighbours(Kernel, 2, 0, 2),
+                                                    DiffusionNeighbours(Kernel, 2, 1, 2)};
+};
+
+template <const DiffusionKernel& Kernel, int Channels>
+void diffuse_channels(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+                      int threads) {
+    const int last_rows = encoded.height - Kernel.reach(), width = encoded.width;
+    const bool is_plain = last_rows <= 0 || last_rows > kMostRows || width < kLeastWidth_px;
+    if (is_plain) return diffuse_plainly(Kernel, order, encoded, scale, codes);
+
+    // Rows that have all rows below them. More threads than there are stretches of a row to follow each other at would
+    // only wait.
+    constexpr int kLeastStretch_px = 128;
+    const int wanted = order == RowOrder::serpentine ? 1 : threads == 0 ? hardware_threads() : threads;
+    const int workers = std::clamp(width / kLeastStretch_px, 1, wanted);
+    Wavefront wavefront(width, last_rows, Kernel.reach(), workers);
+    RowDiffusion<Kernel, Channels> diffusion(order, encoded, scale, codes, wavefront.rows_at_once());
+    parallel_for(0, workers, workers, [&](int) {
+        std::vector<Units> values(encoded.row(0).size());
+        while (const std::optional<WavefrontTile> tile = wavefront.take()) {
+            for (int y = tile->y0; y < tile->y1; ++y) diffusion.round_to(y, wavefront.end_of(*tile, y), values);
+            wavefront.done(*tile);
+        }
+    });
+
+    // The last rows
+    for (int channel = 0; channel < Channels; ++channel) {
+        IncomingErrors incoming = diffusion.incoming(last_rows, channel);
+        diffuse_plainly(Kernel, order, encoded, scale, codes, channel, last_rows, incoming);
+    }
+}
+
+}  // namespace
+
+template <const DiffusionKernel& Kernel>
+void diffuse_rows(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+                  int threads) {
+    if (encoded.channels == 1) return diffuse_channels<Kernel, 1>(order, encoded, scale, codes, threads);
+    diffuse_channels<Kernel, 3>(order, encoded, scale, codes, threads);
+}
+
+template void diffuse_rows<kFloydSteinbergKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kJarvisKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kStuckiKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kSierraKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kAtkinsonKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+
+}  // namespace emulsion
