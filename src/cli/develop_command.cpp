@@ -19,7 +19,7 @@ namespace emulsion::cli {
 
 struct DevelopCommand::Options {
     std::filesystem::path exr, png, contact_sheet, exposures, curve;
-    int threads = 0;
+    int threads = 0, png_level = kDefaultPngLevel;
     bool quiet = false, list_tonemaps = false, list_adaptations = false;
     Pipeline pipeline;
 };
@@ -34,6 +34,13 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     command_->add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
         ->check(ends_in_png)
         ->option_text("FILE");
+    command_
+        ->add_option("--png-level", options.png_level,
+                     fmt::format("Compression of the PNG, 0 (none) to 9 (smallest) [default: {}]; 6 is as libpng does "
+                                 "it, the default as small on pictures and several times as fast",
+                                 kDefaultPngLevel))
+        ->check(whole_number_check(0, 9))
+        ->option_text("N");
     command_
         ->add_option("--exposures", options.exposures,
                      "PNG strip of three exposures, with ten times the white of --tonemap fixed, with it, and with a "
@@ -93,7 +100,8 @@ int DevelopCommand::run() const {
         const SceneLuminance luminance(picture.xyz.view(), options.threads);
         print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
     }
-    if (!options.png.empty()) develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png);
+    if (!options.png.empty())
+        develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png, options.png_level);
     for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
     }

@@ -20,7 +20,8 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                      "Luminance that the operator adapts to", "the operator's own");
 }
 
-void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
+void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png,
+                    int png_level) {
     const DevelopResult developed = develop(std::move(scene), pipeline, threads);
     const PixelCounts& counts = developed.report.luminance.counts;
     if (counts.bad() > 0) {
@@ -30,7 +31,9 @@ void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, con
             counts.bad(), developed.image.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
     }
     write_png(png, developed.image,
-              {.bits = pipeline.bits, .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+              {.bits = pipeline.bits,
+               .level = png_level,
+               .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
 }
 
 }  // namespace emulsion::cli

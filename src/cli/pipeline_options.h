@@ -7,6 +7,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
+#include "display/png_compression.h"
 
 namespace CLI {
 class App;
@@ -19,7 +20,9 @@ namespace emulsion::cli {
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 
 /// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
+/// \param png_level of compression: display/png_compression.h
 /// \throws IoError if the file can't be written.
-void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
+void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png,
+                    int png_level = kDefaultPngLevel);
 
 }  // namespace emulsion::cli

@@ -126,9 +126,10 @@ std::vector<png_text> text_chunks(const PngOptions& options) {
     return chunks;
 }
 
-/// What the file says about its samples.
+/// What the file says about its samples, and how they are packed.
 struct SampleFormat {
     int code_bits = 8;
+    PngCompression compression;
     [[nodiscard]] int depth() const noexcept { return code_bits <= 8 ? 8 : 16; }
     [[nodiscard]] std::size_t pixel_bytes() const noexcept { return static_cast<std::size_t>(3 * depth() / 8); }
 };
@@ -155,6 +156,9 @@ bool write_chunks(png_structp png, png_infop info, const Image<CodeRGB>& image, 
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()), static_cast<png_uint_32>(image.height()),
                  format.depth(), PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png, format.compression.level);
+    png_set_compression_strategy(png, format.compression.strategy);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, format.compression.filters);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
     if (format.code_bits != format.depth()) {
         png_color_8 bits{};
@@ -196,9 +200,10 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const Samp
 void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options) {
     if (image.width() < 1 || image.height() < 1) throw std::invalid_argument("PNG of an empty picture");
     check_codes(image, options.bits);
+    const SampleFormat format{options.bits, png_compression(options.level, options.bits)};
     const std::vector<png_text> text = text_chunks(options);
     AtomicFile file(path);
-    write_image(file, image, {options.bits}, text);
+    write_image(file, image, format, text);
     file.commit();
 }
 

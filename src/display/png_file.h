@@ -7,6 +7,7 @@
 
 #include "core/image.h"
 #include "display/code_value.h"
+#include "display/png_compression.h"
 
 namespace emulsion {
 
@@ -18,7 +19,8 @@ struct PngText {
 };
 
 struct PngOptions {
-    int bits = 8;  ///< of the picture's codes, full range; 1 to 16
+    int bits = 8;                  ///< of the picture's codes, full range; 1 to 16
+    int level = kDefaultPngLevel;  ///< of compression, 0 to 9; see png_compression.h
     std::vector<PngText> text = {};
 };
 
@@ -27,8 +29,8 @@ struct PngOptions {
 /// colorimetric, since the picture has been brought into the gamut on purpose and is to be shown as it is) and the
 /// matching gAMA and cHRM. The same picture and options give the same bytes. The file appears whole or not at all.
 /// \throws IoError{path, reason} if the file can't be written; then an older file of that name is still there.
-/// \throws std::invalid_argument if the picture is empty, a code has more than `bits`, or a keyword, a text or the bits
-/// are not as above.
+/// \throws std::invalid_argument if the picture is empty, a code has more than `bits`, or a keyword, a text, the bits
+/// or the level are not as above.
 void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options = {});
 
 }  // namespace emulsion
