@@ -83,6 +83,7 @@ int DevelopCommand::run() const {
         if (options.list_adaptations) print_output(adaptation_list());
         return kDone;
     }
+    check_png_options(options.pipeline);
     for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty()) check_writable(file);
     }

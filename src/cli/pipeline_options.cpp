@@ -20,6 +20,18 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                      "Luminance that the operator adapts to", "the operator's own");
 }
 
+PngOptions png_options(const Pipeline& pipeline, int level) {
+    return {.bits = pipeline.bits,
+            .color = color_encoding(pipeline.display, pipeline.transfer, pipeline.range),
+            .level = level,
+            .text = {{"Software", "Emulsion"}}};
+}
+
+void check_png_options(const Pipeline& pipeline) {
+    validate(pipeline);
+    validate(png_options(pipeline));
+}
+
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png,
                     int png_level) {
     const DevelopResult developed = develop(std::move(scene), pipeline, threads);
@@ -30,10 +42,9 @@ void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, con
             "{} of {} pixels are bad ({} NaN, {} infinite, {} of negative luminance), the first at {}, {}",
             counts.bad(), developed.image.pixels().size(), counts.nan, counts.infinite, counts.negative, x, y));
     }
-    write_png(png, developed.image,
-              {.bits = pipeline.bits,
-               .level = png_level,
-               .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+    PngOptions options = png_options(pipeline, png_level);
+    options.text.push_back({"Pipeline", to_text(pipeline)});
+    write_png(png, developed.image, options);
 }
 
 }  // namespace emulsion::cli

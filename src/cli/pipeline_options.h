@@ -7,7 +7,7 @@
 #include "core/color.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
-#include "display/png_compression.h"
+#include "display/png_file.h"
 
 namespace CLI {
 class App;
@@ -18,6 +18,14 @@ namespace emulsion::cli {
 /// Adds --bloom, --vision, --tonemap and --adaptation to a subcommand; parsing sets `pipeline`, and refuses what is no
 /// such value with bad usage.
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
+
+/// Of a PNG that the pipeline makes: bits, and what its codes mean; no text but that we wrote it.
+/// \param level of compression: display/png_compression.h
+[[nodiscard]] PngOptions png_options(const Pipeline& pipeline, int level = kDefaultPngLevel);
+
+/// That the pipeline's stages go together, and a PNG can say what its code values mean: before the work, not after.
+/// \throws std::invalid_argument if not.
+void check_png_options(const Pipeline& pipeline);
 
 /// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
 /// \param png_level of compression: display/png_compression.h

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/pipeline_options.h"
 #include "core/text_file.h"
 #include "develop/contact_sheet.h"
 #include "develop/develop.h"
@@ -19,9 +20,6 @@ namespace emulsion::cli {
 namespace {
 
 constexpr int kTile_px = 320;
-
-/// Of the PNGs.
-PngOptions png_options() { return {.text = {{"Software", "Emulsion"}}}; }
 
 template <NamedVariant Variant>
 std::string blocks_of() {
@@ -46,7 +44,7 @@ std::string adaptation_list() { return blocks_of<Adaptation>(); }
 
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline,
                          int threads) {
-    write_png(png, contact_sheet(scene, pipeline, operator_tiles(), kTile_px, threads), png_options());
+    write_png(png, contact_sheet(scene, pipeline, operator_tiles(), kTile_px, threads), png_options(pipeline));
 }
 
 void write_exposures(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
@@ -60,7 +58,7 @@ void write_exposures(const std::filesystem::path& png, const Image<XYZ>& scene, 
         white = std::stod(fmt::format("{:.1e}", 0.1 * most));
     }
     const std::vector<ContactTile> tiles = exposure_tiles(std::clamp(white, 1e-30, 1e30));
-    write_png(png, contact_sheet(scene, pipeline, tiles, kTile_px, threads), png_options());
+    write_png(png, contact_sheet(scene, pipeline, tiles, kTile_px, threads), png_options(pipeline));
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
