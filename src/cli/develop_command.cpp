@@ -1,6 +1,7 @@
 #include "cli/develop_command.h"
 
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -10,27 +11,65 @@
 #include "cli/distinct_files.h"
 #include "cli/messages.h"
 #include "cli/option_checks.h"
+#include "cli/picture_output.h"
 #include "cli/pipeline_options.h"
 #include "cli/tone_reports.h"
 #include "core/atomic_file.h"
-#include "film/exr_file.h"
+#include "develop/picture_file.h"
 
 namespace emulsion::cli {
 
-struct DevelopCommand::Options {
-    std::filesystem::path exr, png, contact_sheet, exposures, curve;
+namespace {
+
+/// What the flags said.
+struct DevelopSettings {
+    std::filesystem::path picture, output, contact_sheet, exposures, curve;
     int threads = 0, png_level = kDefaultPngLevel;
     bool quiet = false, list_tonemaps = false, list_adaptations = false;
     Pipeline pipeline;
 };
 
+/// That its stages go together, and that a PNG can say what its code values mean.
+void check_pipeline(const DevelopSettings& options) {
+    const bool png_output = !options.output.empty() && picture_format(options.output) == PictureFormat::png;
+    const bool writes_png = png_output || !options.contact_sheet.empty() || !options.exposures.empty();
+    try {
+        validate(options.pipeline);
+        if (writes_png) validate(png_options(options.pipeline));
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("pipeline", error.what());
+    }
+}
+
+void write_output(Image<XYZ> scene, const DevelopSettings& options) {
+    if (picture_format(options.output) == PictureFormat::png) {
+        develop_to_png(std::move(scene), options.pipeline, options.threads, options.output, options.png_level);
+    } else {
+        write_scene_referred(std::move(scene), options.pipeline, options.threads, options.output);
+    }
+}
+
+}  // namespace
+
+struct DevelopCommand::Options : DevelopSettings {};
+
 DevelopCommand::DevelopCommand(CLI::App& program)
-    : command_(program.add_subcommand("develop", "Develop a scene-referred EXR to a PNG")),
+    : command_(program.add_subcommand("develop", "Develop a scene-referred picture to a PNG")),
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
-    command_->add_option("EXR", options.exr, "Picture with channels X Y Z or R G B, as `emulsion render` writes it")
+    command_
+        ->add_option(
+            "PICTURE", options.picture,
+            "EXR with channels X Y Z or R G B, as `emulsion render` writes it; or a Radiance picture, a PFM, or "
+            "a PNG whose white is 1 cd/m^2: by its contents, not by its name")
         ->option_text(" ");
-    command_->add_option("-o,--output", options.png, "8-bit sRGB PNG")->check(ends_in_png)->option_text("FILE");
+    command_
+        ->add_option(
+            "-o,--output", options.output,
+            "PNG; or a name ending in .pfm or .hdr for the picture as tone mapping would get it, after --bloom "
+            "and --vision: linear Rec. 709, (1, 1, 1) for a white of 1 cd/m^2")
+        ->check(ends_in_picture)
+        ->option_text("FILE");
     command_->add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
         ->check(ends_in_png)
         ->option_text("FILE");
@@ -59,16 +98,17 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     add_pipeline_options(*command_, options.pipeline);
     command_->final_callback([&options] {
         if (options.list_tonemaps || options.list_adaptations) return;
-        if (options.exr.empty()) throw CLI::ValidationError("EXR", "found none, expected a file");
-        if (options.png.empty() && options.contact_sheet.empty() && options.exposures.empty() &&
+        if (options.picture.empty()) throw CLI::ValidationError("PICTURE", "found none, expected a file");
+        if (options.output.empty() && options.contact_sheet.empty() && options.exposures.empty() &&
             options.curve.empty()) {
             throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet, --exposures or --curve");
         }
-        require_distinct({{"EXR", options.exr},
-                          {"--output", options.png},
+        require_distinct({{"PICTURE", options.picture},
+                          {"--output", options.output},
                           {"--contact-sheet", options.contact_sheet},
                           {"--exposures", options.exposures},
                           {"--curve", options.curve}});
+        check_pipeline(options);
     });
 }
 
@@ -83,12 +123,11 @@ int DevelopCommand::run() const {
         if (options.list_adaptations) print_output(adaptation_list());
         return kDone;
     }
-    check_png_options(options.pipeline);
-    for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
+    for (const auto& file : {options.output, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty()) check_writable(file);
     }
-    FilmImage picture = read_exr(options.exr, {.layers = ExrLayers::skip, .threads = options.threads});
-    for (const std::string& note : picture.notes) print_warning(options.exr.string() + ": " + note);
+    ScenePicture picture = read_picture(options.picture, options.threads);
+    for (const std::string& note : picture.notes) print_warning(options.picture.string() + ": " + note);
 
     if (!options.curve.empty()) write_curve(options.curve, picture.xyz, options.pipeline, options.threads);
     if (!options.contact_sheet.empty()) {
@@ -101,9 +140,8 @@ int DevelopCommand::run() const {
         const SceneLuminance luminance(picture.xyz.view(), options.threads);
         print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
     }
-    if (!options.png.empty())
-        develop_to_png(std::move(picture.xyz), options.pipeline, options.threads, options.png, options.png_level);
-    for (const auto& file : {options.png, options.contact_sheet, options.exposures, options.curve}) {
+    if (!options.output.empty()) write_output(std::move(picture.xyz), options);
+    for (const auto& file : {options.output, options.contact_sheet, options.exposures, options.curve}) {
         if (!file.empty() && !options.quiet) print_output(fmt::format("wrote {}\n", file.string()));
     }
     return kDone;

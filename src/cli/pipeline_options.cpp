@@ -27,11 +27,6 @@ PngOptions png_options(const Pipeline& pipeline, int level) {
             .text = {{"Software", "Emulsion"}}};
 }
 
-void check_png_options(const Pipeline& pipeline) {
-    validate(pipeline);
-    validate(png_options(pipeline));
-}
-
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png,
                     int png_level) {
     const DevelopResult developed = develop(std::move(scene), pipeline, threads);

@@ -23,10 +23,6 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 /// \param level of compression: display/png_compression.h
 [[nodiscard]] PngOptions png_options(const Pipeline& pipeline, int level = kDefaultPngLevel);
 
-/// That the pipeline's stages go together, and a PNG can say what its code values mean: before the work, not after.
-/// \throws std::invalid_argument if not.
-void check_png_options(const Pipeline& pipeline);
-
 /// Develops scene-referred XYZ and writes the PNG, with the pipeline as text in it; warns of bad pixels.
 /// \param png_level of compression: display/png_compression.h
 /// \throws IoError if the file can't be written.
