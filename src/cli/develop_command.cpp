@@ -25,7 +25,7 @@ namespace {
 struct DevelopSettings {
     std::filesystem::path picture, output, contact_sheet, exposures, curve;
     int threads = 0, png_level = kDefaultPngLevel;
-    bool quiet = false, list_tonemaps = false, list_adaptations = false;
+    bool quiet = false, list_tonemaps = false, list_adaptations = false, show_pipeline = false;
     Pipeline pipeline;
 };
 
@@ -95,9 +95,15 @@ DevelopCommand::DevelopCommand(CLI::App& program)
                        "Print every adaptation luminance that an operator may be given, and end");
     add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
+    add_pipeline_text_option(*command_, options.pipeline);
     add_pipeline_options(*command_, options.pipeline);
+    add_display_options(*command_, options.pipeline);
+    command_->add_flag("--show-pipeline", options.show_pipeline,
+                       "Print the text of all stages with all their parameters, as --pipeline takes it, and end");
     command_->final_callback([&options] {
         if (options.list_tonemaps || options.list_adaptations) return;
+        check_pipeline(options);
+        if (options.show_pipeline) return;
         if (options.picture.empty()) throw CLI::ValidationError("PICTURE", "found none, expected a file");
         if (options.output.empty() && options.contact_sheet.empty() && options.exposures.empty() &&
             options.curve.empty()) {
@@ -108,7 +114,6 @@ DevelopCommand::DevelopCommand(CLI::App& program)
                           {"--contact-sheet", options.contact_sheet},
                           {"--exposures", options.exposures},
                           {"--curve", options.curve}});
-        check_pipeline(options);
     });
 }
 
@@ -121,6 +126,10 @@ int DevelopCommand::run() const {
     if (options.list_tonemaps || options.list_adaptations) {
         if (options.list_tonemaps) print_output(tonemap_list());
         if (options.list_adaptations) print_output(adaptation_list());
+        return kDone;
+    }
+    if (options.show_pipeline) {
+        print_output(to_text(options.pipeline) + "\n");
         return kDone;
     }
     for (const auto& file : {options.output, options.contact_sheet, options.exposures, options.curve}) {

@@ -1,11 +1,16 @@
 #include "cli/pipeline_options.h"
 
+#include <stdexcept>
 #include <utility>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/messages.h"
 #include "cli/named_option.h"
+#include "cli/option_checks.h"
+#include "core/error.h"
+#include "core/text_file.h"
 #include "develop/develop.h"
 #include "display/png_file.h"
 
@@ -18,6 +23,41 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
     add_named_option(command, "--tonemap", "tonemap", pipeline.tone_mapper, "Tone mapping operator of the PNG");
     add_named_option(command, "--adaptation", "adaptation", pipeline.adaptation,
                      "Luminance that the operator adapts to", "the operator's own");
+}
+
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline) {
+    const auto parse = [&pipeline](const std::string& argument) {
+        const bool is_text = argument.find('=') != std::string::npos;
+        try {
+            pipeline = parse_pipeline(is_text ? argument : read_text_file(argument));
+        } catch (const std::invalid_argument& error) {
+            const std::string where = is_text ? "" : argument + ": ";
+            throw CLI::ValidationError("--pipeline", where + error.what());
+        } catch (const IoError& error) {
+            throw CLI::ValidationError("--pipeline", error.what());
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--pipeline", parse,
+            "All stages at once, as --show-pipeline prints them and the PNG's text has them: \"tonemap=drago "
+            "bits=10\", or "
+            "the name of a file that holds such a text; what has an = is a text. Stages that are left out have their "
+            "default, and flags of single stages go before")
+        ->option_text("TEXT|FILE");
+}
+
+void add_display_options(CLI::App& command, Pipeline& pipeline) {
+    add_named_option(command, "--display", "display", pipeline.display, "Display that the PNG is for");
+    add_named_option(command, "--gamut", "gamut", pipeline.gamut, "What is done with colours that it can't show");
+    add_named_option(command, "--transfer", "transfer", pipeline.transfer, "Transfer function of the codes");
+    command
+        .add_option("--bits", pipeline.bits,
+                    fmt::format("Bits of a code, 1 to 16; above 8 the PNG has 16 [default: {}]", pipeline.bits))
+        ->check(whole_number_check(1, 16))
+        ->option_text("N");
+    add_named_option(command, "--range", "range", pipeline.range, "Range of the codes");
+    add_named_option(command, "--dither", "dither", pipeline.dither, "Dithering of the codes");
 }
 
 PngOptions png_options(const Pipeline& pipeline, int level) {

@@ -19,6 +19,13 @@ namespace emulsion::cli {
 /// such value with bad usage.
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 
+/// Adds --pipeline, for all stages at once: the text form, or a file that holds it. It sets `pipeline` before the flags
+/// of single stages do, wherever they stand, if it is added before them.
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline);
+
+/// Adds --display, --gamut, --transfer, --bits, --range and --dither likewise.
+void add_display_options(CLI::App& command, Pipeline& pipeline);
+
 /// Of a PNG that the pipeline makes: bits, and what its codes mean; no text but that we wrote it.
 /// \param level of compression: display/png_compression.h
 [[nodiscard]] PngOptions png_options(const Pipeline& pipeline, int level = kDefaultPngLevel);

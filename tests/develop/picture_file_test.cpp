@@ -45,8 +45,9 @@ std::vector<SmallFile> small_files() {
     write_pfm(folder.file("a.pfm"), xyz);
     write_radiance(folder.file("a.hdr"), xyz);
     write_png(folder.file("a.png"), codes);
-    write_png(folder.file("stored.png"), codes, {.bits = 16, .level = 0});
-    for (const char* name : {"a.exr", "a.pfm", "a.hdr", "a.png", "stored.png"}) add(name);
+    write_png(folder.file("stored.png"), codes, {.level = 0});
+    write_png(folder.file("deep.png"), codes, {.bits = 16});
+    for (const char* name : {"a.exr", "a.pfm", "a.hdr", "a.png", "stored.png", "deep.png"}) add(name);
     files.push_back({"grey.pfm", "Pf\n9 3\n1.0\n" + std::string(9 * 3 * 4, '\x3f')});
     const std::string pixel = "\x80\x40\x20\x81";
     std::string lines;

@@ -115,6 +115,36 @@ TEST(Pipeline, RandomParametersReadBackAsTheSameValue) {
     }
 }
 
+/// One alternative, each as likely, with its parameters at random.
+template <NamedVariant Variant>
+Variant drawn(Pcg32& random) {
+    std::vector<Variant> all;
+    for_each_alternative<Variant>([&](const auto& value) { all.emplace_back(value); });
+    Variant variant = all[random.next() % all.size()];
+    randomise(variant, random);
+    return variant;
+}
+
+// Every stage at random: no test needs to know of a new alternative.
+TEST(Pipeline, AThousandRandomPipelinesReadBackAsTheSameValue) {
+    Pcg32 random(71);
+    for (int round = 0; round < 1000; ++round) {
+        Pipeline pipeline{.bloom = drawn<Bloom>(random),
+                          .vision = drawn<Vision>(random),
+                          .tone_mapper = drawn<ToneMapper>(random),
+                          .display = drawn<Display>(random),
+                          .gamut = drawn<GamutMapper>(random),
+                          .transfer = drawn<TransferFunction>(random),
+                          .bits = 1 + static_cast<int>(random.next() % 16),
+                          .range = drawn<CodeRange>(random),
+                          .dither = drawn<Dither>(random)};
+        if (random.next() % 2 == 0) pipeline.adaptation = drawn<Adaptation>(random);
+        const std::string text = to_text(pipeline);
+        ASSERT_EQ(parse_pipeline(text), pipeline) << text;
+        ASSERT_EQ(to_text(parse_pipeline(text)), text);
+    }
+}
+
 TEST(Pipeline, EveryAdaptationReadsBackAsTheSameValue) {
     for_each_alternative<Adaptation>([](const auto& adaptation) {
         Pipeline pipeline;
@@ -148,7 +178,8 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
-              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, display, "
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
+              "display, "
               "gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
