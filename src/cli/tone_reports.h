@@ -19,8 +19,8 @@ namespace emulsion::cli {
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline,
                          int threads);
 
-/// Three exposures: see exposure_tiles(). Around the white of the pipeline's tone mapper if that is `fixed`, else around
-/// a tenth of the picture's robust largest luminance. \throws IoError if the file can't be written.
+/// Three exposures: see exposure_tiles(). Around the white of the pipeline's tone mapper if that is `fixed`, else
+/// around a tenth of the picture's robust largest luminance. \throws IoError if the file can't be written.
 void write_exposures(const std::filesystem::path& png, const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
 
 /// CSV: two lines of comment, then "luminance_cdm2,display_luminance" and a row for each point of tone_curve().

@@ -77,10 +77,12 @@ struct PngHeader {
 };
 
 /// False if libpng reported an error. Asks for RGB, of 16 bits where the file has 16.
-bool read_header(png_structp png, png_infop info, PngHeader& header) {
+/// \param most_bytes of memory for a chunk: a damaged length, of up to 2 GB, gets no more
+bool read_header(png_structp png, png_infop info, std::size_t most_bytes, PngHeader& header) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
     constexpr png_uint_32 kAnySize = 0x7fffffff;
     png_set_user_limits(png, kAnySize, kAnySize);
+    png_set_chunk_malloc_max(png, most_bytes);
     png_read_info(png, info);
     header.has_alpha =
         (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
@@ -190,8 +192,9 @@ PngPicture read_png(const std::filesystem::path& path) {
     const auto fail = [&] {
         return IoError(path, "PNG, byte " + std::to_string(state.at) + ": libpng: " + state.message.data());
     };
+    constexpr std::size_t kLargestUnpacked = 8'000'000;  // of packed text and profiles
     PngHeader header;
-    if (!read_header(reader.png(), reader.info(), header)) throw fail();
+    if (!read_header(reader.png(), reader.info(), std::max(kLargestUnpacked, file.size()), header)) throw fail();
     if (has_chunk(file, "cICP")) {
         throw IoError(path, "PNG with a cICP chunk, which is not read; expected sRGB, gAMA and cHRM, or none");
     }

@@ -18,9 +18,8 @@ struct RadianceWriteResult {
 };
 
 /// Linear Rec. 709 from XYZ with Y in cd/m^2, with run lengths where they are allowed (8 to 32767 pixels in width).
-/// Every component is stored to within 1/255.5 (0.39 %) of the largest of its pixel: dark components of colourful pixels
-/// have few digits, or become 0. The file appears whole or not at all.
-/// \throws IoError if it can't be written.
+/// Every component is stored to within 1/255.5 (0.39 %) of the largest of its pixel: dark components of colourful
+/// pixels have few digits, or become 0. The file appears whole or not at all. \throws IoError if it can't be written.
 /// \throws std::invalid_argument if the picture is empty or the white luminance out of its range.
 RadianceWriteResult write_radiance(const std::filesystem::path& path, const Image<XYZ>& xyz,
                                    const SceneWriteOptions& options = {});

@@ -74,7 +74,8 @@ TEST(Usage, SaysWhatIsMissingOrTooMuch) {
 TEST(Usage, APictureHasTheNameOfItsKind) {
     expect_refused({"render", "x", "--png", "y.exr"}, "--png: found \"y.exr\", expected a name ending in .png");
     expect_refused({"merge", "x", "-o", "a.exr", "--png", "y"}, "--png: found \"y\", expected a name ending in .png");
-    expect_refused({"develop", "x", "-o", "o.exr"}, "--output: found \"o.exr\", expected a name ending in .png, .pfm or .hdr");
+    expect_refused({"develop", "x", "-o", "o.exr"},
+                   "--output: found \"o.exr\", expected a name ending in .png, .pfm or .hdr");
     expect_refused({"render", "x", "-o", "o.png"},
                    "--output: found \"o.png\", expected a name ending in .exr (--png writes a PNG)");
 }
