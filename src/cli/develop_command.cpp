@@ -41,6 +41,60 @@ void check_pipeline(const DevelopSettings& options) {
     }
 }
 
+/// What only all flags together can tell.
+void check_settings(const DevelopSettings& options) {
+    if (options.list_tonemaps || options.list_adaptations) return;
+    check_pipeline(options);
+    if (options.show_pipeline) return;
+    if (options.picture.empty()) throw CLI::ValidationError("PICTURE", "found none, expected a file");
+    if (options.output.empty() && options.contact_sheet.empty() && options.exposures.empty() && options.curve.empty()) {
+        throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet, --exposures or --curve");
+    }
+    require_distinct({{"PICTURE", options.picture},
+                      {"--output", options.output},
+                      {"--contact-sheet", options.contact_sheet},
+                      {"--exposures", options.exposures},
+                      {"--curve", options.curve}});
+}
+
+void add_file_options(CLI::App& command, DevelopSettings& options) {
+    command
+        .add_option(
+            "PICTURE", options.picture,
+            "EXR with channels X Y Z or R G B, as `emulsion render` writes it; or a Radiance picture, a PFM, or "
+            "a PNG whose white is 1 cd/m^2: by its contents, not by its name")
+        ->option_text(" ");
+    command
+        .add_option("-o,--output", options.output,
+                    "PNG; or a name ending in .pfm or .hdr for the picture as tone mapping would get it, after --bloom "
+                    "and --vision: linear Rec. 709, (1, 1, 1) for a white of 1 cd/m^2")
+        ->check(ends_in_picture)
+        ->option_text("FILE");
+    command.add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
+        ->check(ends_in_png)
+        ->option_text("FILE");
+    command
+        .add_option("--png-level", options.png_level,
+                    fmt::format("Compression of the PNG, 0 (none) to 9 (smallest) [default: {}]; 6 is as libpng does "
+                                "it, the default as small on pictures and several times as fast",
+                                kDefaultPngLevel))
+        ->check(whole_number_check(0, 9))
+        ->option_text("N");
+    command
+        .add_option("--exposures", options.exposures,
+                    "PNG strip of three exposures, with ten times the white of --tonemap fixed, with it, and with a "
+                    "tenth of it; under another operator, around a tenth of the picture's bright end")
+        ->check(ends_in_png)
+        ->option_text("FILE");
+    command
+        .add_option("--curve", options.curve,
+                    "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
+        ->option_text("FILE");
+    command.add_flag("--list-tonemaps", options.list_tonemaps, "Print every operator, and end");
+    command.add_flag("--list-adaptations", options.list_adaptations,
+                     "Print every adaptation luminance that an operator may be given, and end");
+}
+
 void write_output(Image<XYZ> scene, const DevelopSettings& options) {
     if (picture_format(options.output) == PictureFormat::png) {
         develop_to_png(std::move(scene), options.pipeline, options.threads, options.output, options.png_level);
@@ -57,42 +111,7 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     : command_(program.add_subcommand("develop", "Develop a scene-referred picture to a PNG")),
       options_(std::make_unique<Options>()) {
     Options& options = *options_;
-    command_
-        ->add_option(
-            "PICTURE", options.picture,
-            "EXR with channels X Y Z or R G B, as `emulsion render` writes it; or a Radiance picture, a PFM, or "
-            "a PNG whose white is 1 cd/m^2: by its contents, not by its name")
-        ->option_text(" ");
-    command_
-        ->add_option(
-            "-o,--output", options.output,
-            "PNG; or a name ending in .pfm or .hdr for the picture as tone mapping would get it, after --bloom "
-            "and --vision: linear Rec. 709, (1, 1, 1) for a white of 1 cd/m^2")
-        ->check(ends_in_picture)
-        ->option_text("FILE");
-    command_->add_option("--contact-sheet", options.contact_sheet, "PNG with a labelled tile for each operator")
-        ->check(ends_in_png)
-        ->option_text("FILE");
-    command_
-        ->add_option("--png-level", options.png_level,
-                     fmt::format("Compression of the PNG, 0 (none) to 9 (smallest) [default: {}]; 6 is as libpng does "
-                                 "it, the default as small on pictures and several times as fast",
-                                 kDefaultPngLevel))
-        ->check(whole_number_check(0, 9))
-        ->option_text("N");
-    command_
-        ->add_option("--exposures", options.exposures,
-                     "PNG strip of three exposures, with ten times the white of --tonemap fixed, with it, and with a "
-                     "tenth of it; under another operator, around a tenth of the picture's bright end")
-        ->check(ends_in_png)
-        ->option_text("FILE");
-    command_
-        ->add_option("--curve", options.curve,
-                     "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
-        ->option_text("FILE");
-    command_->add_flag("--list-tonemaps", options.list_tonemaps, "Print every operator, and end");
-    command_->add_flag("--list-adaptations", options.list_adaptations,
-                       "Print every adaptation luminance that an operator may be given, and end");
+    add_file_options(*command_, options);
     add_threads_option(*command_, options.threads);
     command_->add_flag("--quiet", options.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_text_option(*command_, options.pipeline);
@@ -100,21 +119,7 @@ DevelopCommand::DevelopCommand(CLI::App& program)
     add_display_options(*command_, options.pipeline);
     command_->add_flag("--show-pipeline", options.show_pipeline,
                        "Print the text of all stages with all their parameters, as --pipeline takes it, and end");
-    command_->final_callback([&options] {
-        if (options.list_tonemaps || options.list_adaptations) return;
-        check_pipeline(options);
-        if (options.show_pipeline) return;
-        if (options.picture.empty()) throw CLI::ValidationError("PICTURE", "found none, expected a file");
-        if (options.output.empty() && options.contact_sheet.empty() && options.exposures.empty() &&
-            options.curve.empty()) {
-            throw CLI::ValidationError("--output", "found none, expected it, --contact-sheet, --exposures or --curve");
-        }
-        require_distinct({{"PICTURE", options.picture},
-                          {"--output", options.output},
-                          {"--contact-sheet", options.contact_sheet},
-                          {"--exposures", options.exposures},
-                          {"--curve", options.curve}});
-    });
+    command_->final_callback([&options] { check_settings(options); });
 }
 
 DevelopCommand::~DevelopCommand() = default;
