@@ -56,17 +56,18 @@ Curve power_and_toe(double exponent, double offset, double slope, double knee) {
 Curve curve_of(const LinearTransfer& /*transfer*/) { return parametric(kPower, {1.0}); }
 Curve curve_of(const GammaTransfer& transfer) { return parametric(kPower, {transfer.exponent}); }
 Curve curve_of(const AdobeRgbTransfer& /*transfer*/) { return curve_of(AdobeRgbTransfer::kPower); }
-Curve curve_of(const SrgbTransfer& transfer) {
-    return power_and_toe(2.4, 0.055, transfer.kSlope, transfer.kEncodedKnee);
+Curve curve_of(const SrgbTransfer& /*transfer*/) {
+    return power_and_toe(2.4, 0.055, SrgbTransfer::kSlope, SrgbTransfer::kEncodedKnee);
 }
-Curve curve_of(const ProPhotoTransfer& transfer) {
-    return power_and_toe(1.8, 0.0, transfer.kSlope, transfer.kEncodedKnee);
+Curve curve_of(const ProPhotoTransfer& /*transfer*/) {
+    return power_and_toe(1.8, 0.0, ProPhotoTransfer::kSlope, ProPhotoTransfer::kEncodedKnee);
 }
-Curve curve_of(const Bt709Transfer& transfer) {
-    return power_and_toe(1.0 / 0.45, 0.099, transfer.kSlope, transfer.kSlope * transfer.kLinearKnee);
+Curve curve_of(const Bt709Transfer& /*transfer*/) {
+    return power_and_toe(1.0 / 0.45, 0.099, Bt709Transfer::kSlope, Bt709Transfer::kSlope * Bt709Transfer::kLinearKnee);
 }
-Curve curve_of(const Bt2020Transfer& transfer) {
-    return power_and_toe(1.0 / 0.45, 0.0993, transfer.kSlope, transfer.kSlope * transfer.kLinearKnee);
+Curve curve_of(const Bt2020Transfer& /*transfer*/) {
+    return power_and_toe(1.0 / 0.45, 0.0993, Bt2020Transfer::kSlope,
+                         Bt2020Transfer::kSlope * Bt2020Transfer::kLinearKnee);
 }
 Curve curve_of(const Bt1886Transfer& transfer) {
     const double black = encode(GammaTransfer{2.4}, transfer.black_cdm2 / transfer.white_cdm2);
