@@ -90,7 +90,8 @@ bool read_header(png_structp png, png_infop info, std::size_t most_bytes, PngHea
     header.is_srgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
     header.has_gamma = png_get_gAMA(png, info, &header.gamma) != 0;
     auto& xy = header.xy;
-    header.has_primaries = png_get_cHRM(png, info, &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5], &xy[6], &xy[7]) != 0;
+    header.has_primaries =
+        png_get_cHRM(png, info, xy.data(), &xy[1], &xy[2], &xy[3], &xy[4], &xy[5], &xy[6], &xy[7]) != 0;
     png_set_expand(png);
     png_set_gray_to_rgb(png);
     png_set_strip_alpha(png);
