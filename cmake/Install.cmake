@@ -59,6 +59,7 @@ function(emulsion_install)
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/generated/emulsion-config.cmake
     ${PROJECT_BINARY_DIR}/generated/emulsion-config-version.cmake ${PROJECT_SOURCE_DIR}/cmake/FindHighway.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindLcms2.cmake
     DESTINATION ${package})
   emulsion_install_pkg_config("${libraries}")
 

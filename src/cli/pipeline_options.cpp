@@ -1,11 +1,16 @@
 #include "cli/pipeline_options.h"
 
+#include <stdexcept>
 #include <utility>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/messages.h"
 #include "cli/named_option.h"
+#include "cli/option_checks.h"
+#include "core/error.h"
+#include "core/text_file.h"
 #include "develop/develop.h"
 #include "display/png_file.h"
 
@@ -29,9 +34,55 @@ void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
         counts.bad() + counts.positive + counts.zero, counts.nan, counts.infinite, counts.negative, x, y));
 }
 
-void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline) {
-    write_png(png, image,
-              {.bits = pipeline.bits, .text = {{"Software", "Emulsion"}, {"Pipeline", to_text(pipeline)}}});
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline) {
+    const auto parse = [&pipeline](const std::string& argument) {
+        const bool is_text = argument.find('=') != std::string::npos;
+        try {
+            pipeline = parse_pipeline(is_text ? argument : read_text_file(argument));
+        } catch (const std::invalid_argument& error) {
+            const std::string where = is_text ? "" : argument + ": ";
+            throw CLI::ValidationError("--pipeline", where + error.what());
+        } catch (const IoError& error) {
+            throw CLI::ValidationError("--pipeline", error.what());
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--pipeline", parse,
+            "All stages at once, as --show-pipeline prints them and the PNG's text has them: \"tonemap=drago "
+            "bits=10\", or "
+            "the name of a file that holds such a text; what has an = is a text. Stages that are left out have their "
+            "default, and flags of single stages go before")
+        ->option_text("TEXT|FILE");
+}
+
+void add_display_options(CLI::App& command, Pipeline& pipeline) {
+    add_named_option(command, "--white", "white", pipeline.white, "White of the scene, adapted to the display's");
+    add_named_option(command, "--display", "display", pipeline.display, "Display that the PNG is for");
+    add_named_option(command, "--gamut", "gamut", pipeline.gamut, "What is done with colours that it can't show");
+    add_named_option(command, "--transfer", "transfer", pipeline.transfer, "Transfer function of the codes",
+                     "the display's own");
+    command
+        .add_option("--bits", pipeline.bits,
+                    fmt::format("Bits of a code, 1 to 16; above 8 the PNG has 16 [default: {}]", pipeline.bits))
+        ->check(whole_number_check(1, 16))
+        ->option_text("N");
+    add_named_option(command, "--range", "range", pipeline.range, "Range of the codes");
+    add_named_option(command, "--dither", "dither", pipeline.dither, "Dithering of the codes");
+}
+
+PngOptions png_options(const Pipeline& pipeline, int level) {
+    return {.bits = pipeline.bits,
+            .color = color_encoding(pipeline.display, transfer_of(pipeline), pipeline.range),
+            .level = level,
+            .text = {{"Software", "Emulsion"}}};
+}
+
+void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline,
+                     int png_level) {
+    PngOptions options = png_options(pipeline, png_level);
+    options.text.push_back({"Pipeline", to_text(pipeline)});
+    write_png(png, image, options);
 }
 
 void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {

@@ -8,6 +8,7 @@
 #include "core/image.h"
 #include "develop/pipeline.h"
 #include "display/code_value.h"
+#include "display/png_file.h"
 #include "tonemap/luminance_statistics.h"
 
 namespace CLI {
@@ -23,9 +24,22 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
 /// Warns of bad pixels, if there are any: how many of each kind, and where the first is.
 void warn_of_bad_pixels(const LuminanceStatistics& statistics);
 
+/// Adds --pipeline, for all stages at once: the text form, or a file that holds it. It sets `pipeline` before the flags
+/// of single stages do, wherever they stand, if it is added before them.
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline);
+
+/// Adds --display, --gamut, --transfer, --bits, --range and --dither likewise.
+void add_display_options(CLI::App& command, Pipeline& pipeline);
+
+/// Of a PNG that the pipeline makes: bits, and what its codes mean; no text but that we wrote it.
+/// \param level of compression: display/png_compression.h
+[[nodiscard]] PngOptions png_options(const Pipeline& pipeline, int level = kDefaultPngLevel);
+
 /// Writes a developed picture as a PNG, with the pipeline that made it as text in it.
+/// \param png_level of compression: display/png_compression.h
 /// \throws IoError if the file can't be written.
-void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline);
+void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline,
+                     int png_level = kDefaultPngLevel);
 
 /// Develops scene-referred XYZ and writes the PNG; warns of bad pixels.
 /// \throws IoError if the file can't be written.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/pipeline_options.h"
 #include "core/text_file.h"
 #include "develop/contact_sheet.h"
 #include "display/png_file.h"
@@ -18,9 +19,6 @@ namespace emulsion::cli {
 namespace {
 
 constexpr int kTile_px = 320;
-
-/// Of the PNGs.
-PngOptions png_options() { return {.text = {{"Software", "Emulsion"}}}; }
 
 /// `adapted_to` is left out if it is empty.
 std::string block_of(const NamedValueDescription& value, std::string_view adapted_to) {
@@ -54,7 +52,7 @@ std::string adaptation_list() {
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& picture, const Pipeline& pipeline,
                          int threads) {
     const std::vector<ContactTile> tiles = operator_tiles(pipeline.adaptation);
-    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options());
+    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options(pipeline));
 }
 
 void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture, const SceneLuminance& luminance,
@@ -68,7 +66,7 @@ void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture
         white = std::stod(fmt::format("{:.1e}", 0.1 * luminance.robust_max_cdm2()));
     }
     const std::vector<ContactTile> tiles = exposure_tiles(std::clamp(white, 1e-30, 1e30));
-    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options());
+    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options(pipeline));
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& picture, const ToneMapping& mapping, int threads) {

@@ -18,7 +18,12 @@ namespace {
 
 constexpr int kMargin_px = 8;
 constexpr int kLabelScale = 2;
-constexpr CodeRGB kBackground{38, 38, 38}, kInk{220, 220, 220};
+constexpr double kBackground = 38.0 / 255.0, kInk = 220.0 / 255.0;  // encoded
+
+CodeRGB grey(double encoded, const CodeScale& scale) noexcept {
+    const auto code = static_cast<std::uint16_t>(std::lround(scale.black + encoded * scale.steps()));
+    return {code, code, code};
+}
 
 /// The pixel range [begin, end) of `size` that the pixel `i` of `smaller` stands for.
 std::pair<int, int> stretch(int i, int smaller, int size) noexcept {
@@ -97,8 +102,9 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
     const int columns = columns_of(count, cell_width, cell_height);
     const int rows = (count + columns - 1) / columns;
 
+    const CodeScale scale = code_scale(pipeline.bits, pipeline.range);
     Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
-    std::fill(sheet.pixels().begin(), sheet.pixels().end(), kBackground);
+    std::fill(sheet.pixels().begin(), sheet.pixels().end(), grey(kBackground, scale));
     const XYZd white = shown_as_white(pipeline.white, pipeline.display);
     const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
     const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
@@ -109,7 +115,7 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
         const Image<XYZ> tile = averaged_down(mapped.image, width, height, threads);
         const int x = kMargin_px + number % columns * cell_width, y = kMargin_px + number / columns * cell_height;
         paste(develop_tone_mapped(tile, pipeline, threads).image, x, y, sheet);
-        draw_label(sheet.view(), x, y + height + kMargin_px / 2, label, kInk, kLabelScale);
+        draw_label(sheet.view(), x, y + height + kMargin_px / 2, label, grey(kInk, scale), kLabelScale);
     }
     return sheet;
 }

@@ -18,6 +18,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "display/png_color.h"
 
 namespace emulsion {
 
@@ -101,7 +102,6 @@ void check_text(const PngText& text) {
 }
 
 void check_codes(const Image<CodeRGB>& image, int bits) {
-    check_range(bits, kCodeBits, "PNG bits");
     const int most = (1 << bits) - 1;
     for (const CodeRGB& code : image.pixels()) {
         const int largest = std::max({code.r, code.g, code.b});
@@ -116,7 +116,6 @@ std::vector<png_text> text_chunks(const PngOptions& options) {
     std::vector<png_text> chunks;
     chunks.reserve(options.text.size());
     for (const PngText& text : options.text) {
-        check_text(text);
         png_text chunk{};
         chunk.compression = is_ascii(text.text) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
         chunk.key = const_cast<char*>(text.keyword.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
@@ -126,24 +125,54 @@ std::vector<png_text> text_chunks(const PngOptions& options) {
     return chunks;
 }
 
-/// What the file says about its samples.
+/// What the file says about its samples, and how they are packed.
 struct SampleFormat {
     int code_bits = 8;
+    CodeRange range;
+    PngColor color;
+    PngCompression compression;
     [[nodiscard]] int depth() const noexcept { return code_bits <= 8 ? 8 : 16; }
     [[nodiscard]] std::size_t pixel_bytes() const noexcept { return static_cast<std::size_t>(3 * depth() / 8); }
 };
 
-/// The samples of a row as they stand in the file, most significant byte first: codes spread over the whole depth.
+/// The samples of a row as they stand in the file, most significant byte first.
 void put_row(std::span<const CodeRGB> codes, const SampleFormat& format, std::span<png_byte> bytes) noexcept {
     const std::uint32_t most = (1u << format.code_bits) - 1u, whole = (1u << format.depth()) - 1u;
+    const int shift = format.depth() - format.code_bits;
+    const bool narrow = std::holds_alternative<NarrowRange>(format.range);
     std::size_t at = 0;
     for (const CodeRGB& code : codes) {
         for (const std::uint32_t component : {code.r, code.g, code.b}) {
-            const std::uint32_t sample = (component * whole + most / 2) / most;
+            const std::uint32_t sample = narrow ? component << shift : (component * whole + most / 2) / most;
             if (format.depth() == 16) bytes[at++] = static_cast<png_byte>(sample >> 8u);
             bytes[at++] = static_cast<png_byte>(sample & 0xffu);
         }
     }
+}
+
+// What the codes mean, in libpng's words. Only plain values in these, too.
+void set_color(png_structp png, png_infop info, const PngSrgb& /*color*/) {
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+}
+void set_color(png_structp png, png_infop info, const PngGamma& color) {
+    const RgbSpace& space = color.space;
+    png_set_gAMA(png, info, 1.0 / color.exponent);
+    png_set_cHRM(png, info, space.white.x, space.white.y, space.red.x, space.red.y, space.green.x, space.green.y,
+                 space.blue.x, space.blue.y);
+}
+void set_color(png_structp png, png_infop info, const PngProfile& color) {
+    png_set_iCCP(
+        png, info, "Emulsion", PNG_COMPRESSION_TYPE_BASE,
+        reinterpret_cast<png_const_bytep>(color.icc.data()),  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
+        static_cast<png_uint_32>(color.icc.size()));
+}
+void set_color(png_structp png, png_infop info, const PngCodePoints& color) {
+    std::array<png_byte, 4> data = {color.primaries, color.transfer, 0, color.full_range ? png_byte{1} : png_byte{0}};
+    // libpng 1.6.39 does not know the chunk, and writes those only that it is told to.
+    constexpr std::array<png_byte, 5> kName = {'c', 'I', 'C', 'P', '\0'};
+    png_unknown_chunk chunk{{'c', 'I', 'C', 'P', '\0'}, data.data(), data.size(), PNG_HAVE_IHDR};
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, kName.data(), 1);
+    png_set_unknown_chunks(png, info, &chunk, 1);
 }
 
 /// False if libpng reported an error. Only plain values here: errors jump out of the middle. `row` has room for one.
@@ -155,7 +184,10 @@ bool write_chunks(png_structp png, png_infop info, const Image<CodeRGB>& image, 
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()), static_cast<png_uint_32>(image.height()),
                  format.depth(), PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+    png_set_compression_level(png, format.compression.level);
+    png_set_compression_strategy(png, format.compression.strategy);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, format.compression.filters);
+    std::visit([&](const auto& color) { set_color(png, info, color); }, format.color);
     if (format.code_bits != format.depth()) {
         png_color_8 bits{};
         bits.red = bits.green = bits.blue = static_cast<png_byte>(format.code_bits);
@@ -193,12 +225,23 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const Samp
 
 }  // namespace
 
+void validate(const PngOptions& options) {
+    check_range(options.bits, kCodeBits, "PNG bits");
+    (void)code_scale(options.bits, options.color.range);
+    (void)png_color(options.color);
+    (void)png_compression(options.level, options.bits);
+    for (const PngText& text : options.text) check_text(text);
+}
+
 void write_png(const std::filesystem::path& path, const Image<CodeRGB>& image, const PngOptions& options) {
+    validate(options);
     if (image.width() < 1 || image.height() < 1) throw std::invalid_argument("PNG of an empty picture");
     check_codes(image, options.bits);
+    const SampleFormat format{options.bits, options.color.range, png_color(options.color),
+                              png_compression(options.level, options.bits)};
     const std::vector<png_text> text = text_chunks(options);
     AtomicFile file(path);
-    write_image(file, image, {options.bits}, text);
+    write_image(file, image, format, text);
     file.commit();
 }
 

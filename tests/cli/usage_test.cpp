@@ -62,7 +62,7 @@ TEST(Usage, SaysWhatIsMissingOrTooMuch) {
     expect_refused({"merge", "a.film.exr"}, "--output: found none, expected FILE");
     expect_refused({"color", "matrix", "--from", "XYZ"}, "--to: found none, expected SPACE");
     expect_refused({"render", "x", "--crop"}, "--crop: found no value, expected X0,Y0,X1,Y1");
-    expect_refused({"develop"}, "EXR: found none, expected a file");
+    expect_refused({"develop"}, "PICTURE: found none, expected a file");
     expect_refused({"develop", "a.exr"}, "--output: found none, expected it, --contact-sheet, --exposures or --curve");
     expect_refused({"render", "x", "--spp", "1", "--spp", "2"}, "--spp: found 2 values, expected one");
     expect_refused({"info", "a", "b"}, "found \"b\", expected no further argument of emulsion info");
@@ -83,7 +83,8 @@ TEST(Usage, AFlagTakesNoValue) {
 TEST(Usage, APictureHasTheNameOfItsKind) {
     expect_refused({"render", "x", "--png", "y.exr"}, "--png: found \"y.exr\", expected a name ending in .png");
     expect_refused({"merge", "x", "-o", "a.exr", "--png", "y"}, "--png: found \"y\", expected a name ending in .png");
-    expect_refused({"develop", "x", "-o", "o.exr"}, "--output: found \"o.exr\", expected a name ending in .png");
+    expect_refused({"develop", "x", "-o", "o.exr"},
+                   "--output: found \"o.exr\", expected a name ending in .png, .pfm or .hdr");
     expect_refused({"render", "x", "-o", "o.png"},
                    "--output: found \"o.png\", expected a name ending in .exr (--png writes a PNG)");
 }

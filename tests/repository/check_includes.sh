@@ -22,6 +22,7 @@ done < <(sed -n '/| may include |/,/^$/p' docs/architecture.md | grep '^| `src/'
 declare -A users=(
     ['^(OpenEXR/|Imf|Iex|IlmThread|openexr)']=film
     ['^(libpng[0-9]*/)?png(conf|libconf)?\.h$']=display
+    ['^lcms2']=display
     ['^embree']=pathtracer
     ['^hwy/']='tonemap display'
 )

@@ -1,0 +1,56 @@
+#include "develop/picture_file.h"
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "display/png_read.h"
+#include "film/exr_file.h"
+#include "film/pfm_file.h"
+#include "film/radiance_file.h"
+
+namespace emulsion {
+
+namespace {
+
+/// The first four bytes; fewer if there are fewer. None of what can't be opened: the reader will say why.
+std::string beginning_of(const std::filesystem::path& path) {
+    std::string bytes;
+    if (!std::filesystem::is_regular_file(path)) return bytes;
+    std::array<char, 4> start{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), start.size());
+    return bytes.assign(start.data(), static_cast<std::size_t>(file.gcount()));
+}
+
+std::string printable(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes) text += c >= ' ' && c <= '~' ? c : '?';
+    return text;
+}
+
+}  // namespace
+
+ScenePicture read_picture(const std::filesystem::path& path, int threads) {
+    const std::string begin = beginning_of(path);
+    if (begin.starts_with("#?")) return read_radiance(path);
+    if (begin.starts_with("PF") || begin.starts_with("Pf")) return read_pfm(path);
+    if (begin.starts_with("\x89PNG")) {
+        PngPicture png = read_png(path);
+        png.notes.emplace_back("its white is taken as 1 cd/m^2");
+        return {std::move(png.xyz), std::move(png.notes)};
+    }
+    const bool is_exr = begin == "\x76\x2f\x31\x01";
+    if (!begin.empty() && !is_exr) {
+        throw IoError(path, "begins with \"" + printable(begin) +
+                                "\": expected an OpenEXR, Radiance (#?), PFM (PF or Pf) or PNG file");
+    }
+    FilmImage film = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
+    return {std::move(film.xyz), std::move(film.notes)};
+}
+
+}  // namespace emulsion
