@@ -41,14 +41,14 @@ inline constexpr std::size_t kGamutBlock_px = 64;
 
 /// What is outside in a block, and by how much: the largest distance of a component from [0, 1] for each pixel.
 struct GamutBlock {
-    std::array<float, kGamutBlock_px> excess;
+    std::array<float, kGamutBlock_px> excess{};
     GamutCounts counts;
 };
 
 /// \param block of up to kGamutBlock_px pixels. Loops without branches, which compilers make vectors of.
 [[nodiscard]] inline GamutBlock measure(std::span<const RGB> block) noexcept {
     GamutBlock found;
-    std::array<std::int32_t, kGamutBlock_px> nan;
+    std::array<std::int32_t, kGamutBlock_px> nan{};
     for (std::size_t i = 0; i < block.size(); ++i) {
         const RGB& p = block[i];
         nan[i] = static_cast<std::int32_t>(p.r != p.r) | static_cast<std::int32_t>(p.g != p.g) |

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -86,7 +87,7 @@ Curve curve_of(const Transfer& transfer) {
     std::vector<std::uint16_t> table(kPoints);
     for (std::size_t i = 0; i < kPoints; ++i) {
         const double linear = decode(transfer, static_cast<double>(i) / (kPoints - 1));
-        table[i] = static_cast<std::uint16_t>(std::clamp(linear, 0.0, 1.0) * 65535.0 + 0.5);
+        table[i] = static_cast<std::uint16_t>(std::lround(std::clamp(linear, 0.0, 1.0) * 65535.0));
     }
     return Curve(made(cmsBuildTabulatedToneCurve16(nullptr, kPoints, table.data())));
 }

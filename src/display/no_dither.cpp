@@ -11,8 +11,8 @@ namespace emulsion {
 namespace {
 
 std::uint16_t nearest_code(float encoded, const CodeScale& scale) noexcept {
-    // Not negative, and exact in double precision up to the cut.
     const double steps = static_cast<double>(unit_clamp(encoded)) * scale.steps();
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
     return static_cast<std::uint16_t>(scale.black + static_cast<int>(steps + 0.5));
 }
 

@@ -38,11 +38,11 @@ template <class Methods>
 struct SceneWhiteOf;
 template <class... Methods>
 struct SceneWhiteOf<std::variant<Methods...>> {
-    using type = std::variant<AsItIs, AdaptedBy<Methods>...>;
+    using Type = std::variant<AsItIs, AdaptedBy<Methods>...>;
 };
 
 /// No adaptation, the default, or any of the methods.
-using SceneWhite = SceneWhiteOf<ChromaticAdaptation>::type;
+using SceneWhite = SceneWhiteOf<ChromaticAdaptation>::Type;
 
 /// From XYZ in the scene's light to XYZ on the display; exactly the identity for none, and where the whites agree.
 /// \throws std::invalid_argument as adaptation_matrix(): of a white that no light has.
