@@ -1,6 +1,6 @@
 #!/bin/bash
 # Runs scripts/lint over the sources of some folders, after seeing that its settings find planted faults:
-# lint_test.sh BUILD_FOLDER FOLDER...
+# lint_test.sh BUILD_FOLDER [--quick] FOLDER...
 # Exit code 77: scripts/lint goes by the release build, and this is another.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -91,5 +91,11 @@ if [[ $(cd "$1" && pwd -P) != "$(realpath -m "$root/build/release")" ]]; then
     echo "skipped: scripts/lint goes by build/release, which is not the build under test"
     exit 77
 fi
-mapfile -t sources < <(find "${@:2}" -name '*.cpp' | sort)
-"$root/scripts/lint" "${sources[@]}"
+shift
+quick=()
+if [[ $1 == --quick ]]; then
+    quick=(--quick)
+    shift
+fi
+mapfile -t sources < <(find "$@" -name '*.cpp' | sort)
+"$root/scripts/lint" "${quick[@]}" "${sources[@]}"
