@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -25,13 +26,13 @@ const XYZd& checked_white(const XYZd& white) {
 
 ColorContext::ColorContext() : ColorContext(rgb_space("sRGB"), SrgbTransfer{}) {}
 
-ColorContext::ColorContext(const RgbSpace& rgb, const TransferFunction& transfer)
-    : ColorContext(rgb, transfer, xyz_of(rgb.white)) {}
+ColorContext::ColorContext(const RgbSpace& rgb, TransferFunction transfer)
+    : ColorContext(rgb, std::move(transfer), xyz_of(rgb.white)) {}
 
-ColorContext::ColorContext(const RgbSpace& rgb, const TransferFunction& transfer, const XYZd& white)
+ColorContext::ColorContext(const RgbSpace& rgb, TransferFunction transfer, const XYZd& white)
     : white_(checked_white(white)),
       rgb_(rgb),
-      transfer_(transfer),
+      transfer_(std::move(transfer)),
       xyz_from_rgb_(emulsion::xyz_from_rgb(rgb)),
       rgb_from_xyz_(inverse(xyz_from_rgb_)) {
     validate_named(transfer_, "transfer");

@@ -19,9 +19,9 @@ class ColorContext {
     /// The white is that of the RGB space.
     /// \throws std::invalid_argument if the space has no matrix, its white isn't as below, or a parameter of the
     /// transfer function is out of its range.
-    ColorContext(const RgbSpace& rgb, const TransferFunction& transfer);
+    ColorContext(const RgbSpace& rgb, TransferFunction transfer);
     /// \throws std::invalid_argument also unless X, Y and Z of the white are finite and > 0, and Y = 1 (to 1e-9).
-    ColorContext(const RgbSpace& rgb, const TransferFunction& transfer, const XYZd& white);
+    ColorContext(const RgbSpace& rgb, TransferFunction transfer, const XYZd& white);
 
     [[nodiscard]] const XYZd& white() const noexcept { return white_; }
     [[nodiscard]] const RgbSpace& rgb() const noexcept { return rgb_; }

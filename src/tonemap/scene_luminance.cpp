@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace emulsion {
 
@@ -41,8 +42,8 @@ SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, int threads)
     find_ends();
 }
 
-SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, const LuminanceStatistics& statistics, int threads)
-    : statistics_(statistics) {
+SceneLuminance::SceneLuminance(ImageView<const XYZ> scene, LuminanceStatistics statistics, int threads)
+    : statistics_(std::move(statistics)) {
     (void)luminance_statistics(scene, threads, histogram_);
     find_ends();
 }

@@ -13,7 +13,7 @@ class SceneLuminance {
     /// Threads as in parallel_for; nothing depends on them. \throws std::invalid_argument if threads < 0.
     SceneLuminance(ImageView<const XYZ> scene, int threads);
     /// With statistics that are known: those of a twin.
-    SceneLuminance(ImageView<const XYZ> scene, const LuminanceStatistics& statistics, int threads);
+    SceneLuminance(ImageView<const XYZ> scene, LuminanceStatistics statistics, int threads);
 
     [[nodiscard]] const LuminanceStatistics& statistics() const noexcept { return statistics_; }
 
