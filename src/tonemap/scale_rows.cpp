@@ -67,7 +67,7 @@ void scale_pixel(float scale, std::size_t x, const float* in, float* out, LeftPi
 
 /// Vectors of pixels from x on, up to the first that has a pixel to be left, or that would be past the end. Returns
 /// where that one begins. No calls are in this loop, so that its constants stay in registers.
-template <RowPixels kPixels, class ScaleOf>
+template <RowPixels Known, class ScaleOf>
 std::size_t scale_vectors(std::size_t x, std::size_t size, const float* in, float* out, const ScaleOf& scale_of) {
     const Floats tag;
     const std::size_t lanes = hn::Lanes(tag);
@@ -77,7 +77,7 @@ std::size_t scale_vectors(std::size_t x, std::size_t size, const float* in, floa
         const auto luminances = pixel_lanes.luminances(pixels);
         const PixelVectors scales = pixel_lanes.repeated(scale_of(x, luminances));
         const auto a = hn::Mul(pixels.a, scales.a), b = hn::Mul(pixels.b, scales.b), c = hn::Mul(pixels.c, scales.c);
-        if constexpr (kPixels == RowPixels::any) {
+        if constexpr (Known == RowPixels::any) {
             const auto limit = hn::Set(tag, static_cast<float>(kMaxDisplayComponent));
             const auto within = [&](Vector v) { return hn::Le(hn::Abs(v), limit); };
             const auto not_negative = hn::Ge(luminances, hn::Zero(tag));
