@@ -40,7 +40,6 @@ LuminanceTable::LuminanceTable(const std::function<double(double)>& function, do
     // The first knot may be at 0, below all luminances.
     least_value_ = *std::min_element(values.begin() + 1, values.end());
     most_value_ = *std::max_element(values.begin() + 1, values.end());
-    is_whole_ = true;
     cells_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double here = values[i], next = values[i + 1];

@@ -53,7 +53,7 @@ class LuminanceTable {
     std::vector<std::int64_t> cells_;
     std::uint32_t first_cell_ = 0, least_bits_ = 0, most_bits_ = 0;
     double least_value_ = 0.0, most_value_ = 0.0;
-    bool is_whole_ = false;
+    bool is_whole_ = true;
 };
 
 }  // namespace emulsion
