@@ -87,15 +87,11 @@ constexpr float kMissing = -1.0f;
 /// \return whether any is missing
 template <class T>
 bool exact_relative_row(std::span<const XYZ> in, double per_cdm2, double least_outlier, std::span<T> out) noexcept {
-    constexpr float kLargestFloat = std::numeric_limits<float>::max();
     bool any_missing = false;
     for (std::size_t x = 0; x < in.size(); ++x) {
-        const XYZ pixel = in[x];
-        const double luminance = pixel.y;
-        const bool is_good = (luminance >= 0.0) & (luminance < least_outlier) & (pixel.y <= kLargestFloat) &
-                             (std::abs(pixel.x) <= kLargestFloat) & (std::abs(pixel.z) <= kLargestFloat);
-        out[x] = is_good ? static_cast<T>(std::min(luminance * per_cdm2, kLargest)) : T(kMissing);
-        any_missing |= !is_good;
+        const bool here = is_good(in[x], least_outlier);
+        out[x] = here ? static_cast<T>(std::min(in[x].y * per_cdm2, kLargest)) : T(kMissing);
+        any_missing = any_missing || !here;
     }
     return any_missing;
 }
