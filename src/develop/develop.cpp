@@ -1,13 +1,13 @@
 #include "develop/develop.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/row_blocks.h"
 #include "display/display_encoder.h"
 #include "display/display_rgb.h"
 
@@ -19,22 +19,40 @@ XYZ narrow(const XYZd& xyz) noexcept {
     return {static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z)};
 }
 
-/// The three stages between tone mapping and quantization, row by row while the row is in the cache.
-GamutCounts encode_rows(const Image<XYZ>& display_xyz, const Pipeline& pipeline, Image<RGB>& encoded, int threads) {
-    const RgbFromXyz conversion = rgb_from_xyz(pipeline.display, pipeline.white);
-    const DisplayGamut gamut = display_gamut(pipeline.display);
-    const DisplayEncoder encode_row(pipeline.display, transfer_of(pipeline));
-    std::vector<GamutCounts> counts(static_cast<std::size_t>(display_xyz.height()));
-    parallel_for_rows(display_xyz.width(), display_xyz.height(), threads, [&](int y) {
-        const std::span<RGB> row = encoded.row(y);
-        display_rgb(conversion, display_xyz.row(y), row);
-        counts[static_cast<std::size_t>(y)] = map_gamut(pipeline.gamut, gamut, row);
-        encode_row(row);
-    });
-    GamutCounts total;
-    for (const GamutCounts& row : counts) total += row;
-    return total;
-}
+/// The three stages between tone mapping and quantization, a stretch of a row at a time while it is in the cache.
+class Encoder {
+  public:
+    Encoder(const Image<XYZ>& display_xyz, const Pipeline& pipeline)
+        : display_xyz_(display_xyz),
+          conversion_(rgb_from_xyz(pipeline.display, pipeline.white)),
+          mapper_(pipeline.gamut),
+          gamut_(display_gamut(pipeline.display)),
+          encode_(pipeline.display, transfer_of(pipeline)),
+          counts_(static_cast<std::size_t>(display_xyz.height())) {}
+
+    /// As MakeEncoded.
+    void operator()(int y, int x0, std::span<RGB> pixels) {
+        const std::span<const XYZ> row = display_xyz_.row(y);
+        display_rgb(conversion_, row.subspan(static_cast<std::size_t>(x0), pixels.size()), pixels);
+        counts_[static_cast<std::size_t>(y)] += map_gamut(mapper_, gamut_, pixels);
+        encode_(pixels);
+    }
+
+    /// Of all that was encoded.
+    [[nodiscard]] GamutCounts counts() const noexcept {
+        GamutCounts total;
+        for (const GamutCounts& row : counts_) total += row;
+        return total;
+    }
+
+  private:
+    const Image<XYZ>& display_xyz_;
+    RgbFromXyz conversion_;
+    GamutMapper mapper_;
+    DisplayGamut gamut_;
+    DisplayEncoder encode_;
+    std::vector<GamutCounts> counts_;  // of each row
+};
 
 }  // namespace
 
@@ -60,10 +78,12 @@ DevelopResult develop(Image<XYZ> scene, const Pipeline& pipeline, int threads) {
 
 DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads) {
     validate(pipeline);
-    Image<RGB> encoded(display_xyz.width(), display_xyz.height());
-    DevelopReport report;
-    report.gamut = encode_rows(display_xyz, pipeline, encoded, threads);
-    return {quantize(pipeline.dither, encoded.view(), code_scale(pipeline.bits, pipeline.range), threads), report};
+    DevelopResult result{Image<CodeRGB>(display_xyz.width(), display_xyz.height()), {}};
+    Encoder encode(display_xyz, pipeline);
+    quantize_into(pipeline.dither, std::ref(encode), code_scale(pipeline.bits, pipeline.range), result.image.view(),
+                  threads);
+    result.report.gamut = encode.counts();
+    return result;
 }
 
 }  // namespace emulsion

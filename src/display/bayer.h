@@ -7,6 +7,7 @@
 #include "core/parameters.h"
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -38,7 +39,7 @@ struct Bayer {
 }
 
 /// As quantize() in display/dither.h.
-void quantize(const Bayer& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Bayer& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

@@ -29,10 +29,10 @@ std::vector<Threshold> tile_thresholds(int size, int channels) {
 
 }  // namespace
 
-void quantize(const BlueNoise& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const BlueNoise& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads) {
-    const std::vector<Threshold> tile = tile_thresholds(dither.size, encoded.channels);
-    quantize_by_tile(tile, dither.size, encoded, scale, codes, threads);
+    const std::vector<Threshold> tile = tile_thresholds(dither.size, source.channels());
+    quantize_by_tile(tile, dither.size, source, scale, codes, threads);
 }
 
 }  // namespace emulsion

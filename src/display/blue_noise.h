@@ -9,6 +9,7 @@
 #include "core/parameters.h"
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -32,7 +33,7 @@ struct BlueNoise {
 [[nodiscard]] std::span<const std::uint16_t> blue_noise_ranks(int size) noexcept;
 
 /// As quantize() in display/dither.h.
-void quantize(const BlueNoise& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const BlueNoise& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

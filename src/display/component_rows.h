@@ -24,6 +24,9 @@ struct ComponentRows {
         const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
         return {data + static_cast<std::size_t>(y) * size, size};
     }
+
+    /// Those from row y on; y below the height.
+    [[nodiscard]] ComponentRows from(int y) const noexcept { return {row(y).data(), width, height - y, channels}; }
 };
 
 /// What the quantizers read and write.

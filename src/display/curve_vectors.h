@@ -1,29 +1,51 @@
-#pragma once
-// CurveTable four arguments at a time: for rows of numbers.
+// CurveTable for vectors of arguments: for rows of numbers.
+// Compiled once for each instruction set: included by sources that hwy/foreach_target.h includes again.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <hwy/highway.h>
 
-#include "core/color.h"
 #include "display/curve_table.h"
 
-namespace emulsion {
+// Highway's idiom in the place of `#pragma once`.
+#if defined(EMULSION_DISPLAY_CURVE_VECTORS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EMULSION_DISPLAY_CURVE_VECTORS_H
+#undef EMULSION_DISPLAY_CURVE_VECTORS_H
+#else
+#define EMULSION_DISPLAY_CURVE_VECTORS_H
+#endif
 
-namespace hn = hwy::HWY_NAMESPACE;
+HWY_BEFORE_NAMESPACE();
+namespace emulsion::HWY_NAMESPACE {
 
-/// Vectors of four, whatever the processor has: wider ones would have to gather, which costs more than it saves.
-using Four = hn::FixedTag<float, 4>;
-using FourFloats = hn::Vec<Four>;
+/// Up to eight at a time: segments are fetched one by one, and wider vectors would save nothing.
+using CurveFloats = hwy::HWY_NAMESPACE::CappedTag<float, 8>;
+using CurveVector = hwy::HWY_NAMESPACE::Vec<CurveFloats>;
+
+/// Segment number `which` of every four, those of the upper four in the upper half.
+template <std::size_t kLanes>
+HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
+                                     const std::array<std::uint32_t, kLanes>& indices, std::size_t which) {
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::FixedTag<float, 4> four;
+    const auto lower = hn::Load(four, &segments[indices[which]].start);
+    if constexpr (kLanes == 8) {
+        return hn::Combine(CurveFloats(), hn::Load(four, &segments[indices[which + 4]].start), lower);
+    } else {
+        static_assert(kLanes == 4);
+        return lower;
+    }
+}
 
 /// The bits of what CurveTable gives. Segments are fetched whole and transposed.
-[[nodiscard]] inline FourFloats lookup(const CurveTable& table, FourFloats x) noexcept {
-    const Four tag;
-    const hn::RebindToUnsigned<Four> unsigned_tag;
-    const hn::RebindToSigned<Four> signed_tag;
-    const hn::Repartition<double, Four> pair_tag;
+HWY_INLINE CurveVector lookup(const CurveTable& table, CurveVector x) {
+    namespace hn = hwy::HWY_NAMESPACE;
+    const CurveFloats tag;
+    const hn::RebindToUnsigned<CurveFloats> unsigned_tag;
+    const hn::RebindToSigned<CurveFloats> signed_tag;
+    const hn::Repartition<double, CurveFloats> pair_tag;
     const auto bits = hn::BitCast(unsigned_tag, x);
     const auto index =
         hn::Min(hn::Sub(hn::ShiftRight<CurveTable::kFractionBits>(bits), hn::Set(unsigned_tag, table.first())),
@@ -31,10 +53,10 @@ using FourFloats = hn::Vec<Four>;
     const auto fraction = hn::BitCast(signed_tag, hn::And(bits, hn::Set(unsigned_tag, CurveTable::kFractionMask)));
     const auto t = hn::Mul(hn::ConvertTo(tag, fraction), hn::Set(tag, CurveTable::kPerSegment));
 
-    const CurveTable::Segment* const segments = table.segments();
-    const auto segment = [&](std::uint32_t i) { return hn::Load(tag, &segments[i].start); };
-    const auto s0 = segment(hn::ExtractLane(index, 0)), s1 = segment(hn::ExtractLane(index, 1));
-    const auto s2 = segment(hn::ExtractLane(index, 2)), s3 = segment(hn::ExtractLane(index, 3));
+    alignas(32) std::array<std::uint32_t, hn::MaxLanes(CurveFloats())> indices;  // NOLINT: written at once
+    hn::Store(index, unsigned_tag, indices.data());
+    const auto s0 = load_segments(table.segments(), indices, 0), s1 = load_segments(table.segments(), indices, 1);
+    const auto s2 = load_segments(table.segments(), indices, 2), s3 = load_segments(table.segments(), indices, 3);
     const auto low01 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s0, s1));
     const auto low23 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s2, s3));
     const auto high01 = hn::BitCast(pair_tag, hn::InterleaveUpper(tag, s0, s1));
@@ -45,19 +67,7 @@ using FourFloats = hn::Vec<Four>;
     return hn::Add(start, hn::Mul(t, hn::Add(linear, hn::Mul(t, square))));
 }
 
-/// Replaces each component: by vectors(four of them) and, of those left over at the end, by single(component), which
-/// has to give the same bits.
-template <class Vectors, class Single>
-void replace_components(std::span<RGB> pixels, const Vectors& vectors, const Single& single) noexcept {
-    const Four tag;
-    const std::size_t whole = pixels.size() / 4 * 4;
-    for (std::size_t i = 0; i < whole; i += 4) {
-        float* const components = &pixels[i].r;  // of four pixels: three vectors
-        hn::StoreU(vectors(hn::LoadU(tag, components)), tag, components);
-        hn::StoreU(vectors(hn::LoadU(tag, components + 4)), tag, components + 4);
-        hn::StoreU(vectors(hn::LoadU(tag, components + 8)), tag, components + 8);
-    }
-    for (RGB& rgb : pixels.subspan(whole)) rgb = {single(rgb.r), single(rgb.g), single(rgb.b)};
-}
+}  // namespace emulsion::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-}  // namespace emulsion
+#endif

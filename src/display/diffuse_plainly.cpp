@@ -32,11 +32,11 @@ void diffuse_plainly(const DiffusionKernel& kernel, RowOrder order, const Encode
                      const CodeRows& codes, int channel, int first_row, IncomingErrors& incoming) {
     const CodeUnits units(scale);
     const int width = encoded.width;
-    for (int y = first_row; y < encoded.height; ++y) {
+    for (int y = 0; y < encoded.height; ++y) {
         const auto neighbours = neighbours_by_place(kernel, std::min(2, encoded.height - 1 - y));
         const Channel<const float> in{encoded.row(y), channel, encoded.channels};
         const Channel<std::uint16_t> out{codes.row(y), channel, encoded.channels};
-        const int direction = row_direction(order, y);
+        const int direction = row_direction(order, first_row + y);
         for (int i = 0; i < width; ++i) {
             const int x = direction > 0 ? i : width - 1 - i;
             std::int64_t error = units(in[x]) + incoming.row(y)[static_cast<std::size_t>(x)];

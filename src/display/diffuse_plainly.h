@@ -43,12 +43,12 @@ class IncomingErrors {
     std::vector<std::int64_t> errors_;
 };
 
-/// Rounds rows from `first_row` to the last of one channel, on one thread; `incoming` is what has reached these from
-/// the rows above.
+/// Rounds one channel of a picture's last rows, on one thread: those from `first_row` on are what `encoded` and `codes`
+/// have. `incoming` is what has reached them from the rows above, row 0 the first of them.
 void diffuse_plainly(const DiffusionKernel& kernel, RowOrder order, const EncodedRows& encoded, const CodeScale& scale,
                      const CodeRows& codes, int channel, int first_row, IncomingErrors& incoming);
 
-/// Rounds all of all channels.
+/// Rounds all of all channels of a whole picture.
 void diffuse_plainly(const DiffusionKernel& kernel, RowOrder order, const EncodedRows& encoded, const CodeScale& scale,
                      const CodeRows& codes);
 

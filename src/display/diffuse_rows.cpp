@@ -87,15 +87,17 @@ template <const DiffusionKernel& Kernel, int Dy>
            share_from<Kernel, 2, Dy>(source, i);
 }
 
-/// Values of components [begin, end) with the shares of the errors above them: one row up and, for wide kernels, two.
+/// Values of components from `begin` on, which `encoded` has, with the shares of the errors above them: one row up and,
+/// for wide kernels, two.
 template <const DiffusionKernel& Kernel>
 void gather(std::span<const float> encoded, const CodeUnits& units, const ErrorSource& one_up,
-            const ErrorSource& two_up, std::span<Units> values, std::ptrdiff_t begin, std::ptrdiff_t end) noexcept {
+            const ErrorSource& two_up, std::ptrdiff_t begin, std::span<Units> values) noexcept {
     const float* in = encoded.data();
-    Units* out = values.data();
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-        Units value = units(in[i]) + shares_from<Kernel, 1>(one_up, i);
-        if constexpr (Kernel.reach() == 2) value += shares_from<Kernel, 2>(two_up, i);
+    Units* out = values.data() + begin;
+    const auto count = static_cast<std::ptrdiff_t>(encoded.size());
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        Units value = units(in[i]) + shares_from<Kernel, 1>(one_up, begin + i);
+        if constexpr (Kernel.reach() == 2) value += shares_from<Kernel, 2>(two_up, begin + i);
         out[i] = value;
     }
 }
@@ -105,29 +107,27 @@ template <const DiffusionKernel& Kernel, int Channels>
 class RowDiffusion {
   public:
     /// `rows_at_once` rows may be under way at the same time.
-    RowDiffusion(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
-                 int rows_at_once)
+    RowDiffusion(RowOrder order, const CodeScale& scale, const CodeRows& codes, int rows_at_once)
         : order_(order),
-          encoded_(encoded),
           scale_(scale),
           units_(scale),
           codes_(codes),
-          edges_(static_cast<std::size_t>(encoded.height)),
+          edges_(static_cast<std::size_t>(codes.height)),
           states_(edges_.size()) {
         for (int i = 0; i < rows_at_once + 2; ++i) {
-            errors_.push_back(RowErrors::make<Kernel>(encoded.row(0).size() + 2 * kPadding));
+            errors_.push_back(RowErrors::make<Kernel>(codes.row(0).size() + 2 * kPadding));
         }
     }
 
     /// Rounds row y, which is above the last rows, on from where it was left to before column x1. Rows above are done
     /// as far as x1 + reach. `values` is room for a row.
-    void round_to(int y, int x1, std::span<Units> values) noexcept {
+    void round_to(int y, int x1, EncodedReader& read, std::span<Units> values) {
         RowState& state = states_[static_cast<std::size_t>(y)];
         const int x0 = std::exchange(state.done, x1);
         Carry& carry = state.carry;
         constexpr int kReach = Kernel.reach();
-        const int width = encoded_.width, direction = row_direction(order_, y);
-        gather_values(y, x0, x1, values);
+        const int width = codes_.width, direction = row_direction(order_, y);
+        gather_values(y, x0, x1, read, values);
         // In the order of the row: its first pixels, those that have all their neighbours, its last pixels
         const int begin = direction > 0 ? x0 : width - x1, end = direction > 0 ? x1 : width - x0;
         const int inner_begin = std::clamp(kReach, begin, end),
@@ -143,16 +143,15 @@ class RowDiffusion {
 
     /// What has reached the last rows, `first_row` and below, of one channel.
     [[nodiscard]] IncomingErrors incoming(int first_row, int channel) {
-        IncomingErrors all(encoded_.width);
+        IncomingErrors all(codes_.width);
         const CodeUnits no_units(CodeScale{0, 1});
-        const std::vector<float> black(encoded_.row(0).size());
+        const std::vector<float> black(codes_.row(0).size());
         std::vector<Units> values(black.size());
-        for (int y = first_row; y < std::min(first_row + Kernel.reach(), encoded_.height); ++y) {
-            const auto size = static_cast<std::ptrdiff_t>(values.size());
-            gather<Kernel>(black, no_units, source(y - 1, first_row), source(y - 2, first_row), values, 0, size);
-            add_edges(y, 0, encoded_.width, values);
-            for (int x = 0; x < encoded_.width; ++x) {
-                all.row(y)[static_cast<std::size_t>(x)] = values[component(x, channel)];
+        for (int y = first_row; y < std::min(first_row + Kernel.reach(), codes_.height); ++y) {
+            gather<Kernel>(black, no_units, source(y - 1, first_row), source(y - 2, first_row), 0, values);
+            add_edges(y, 0, codes_.width, values);
+            for (int x = 0; x < codes_.width; ++x) {
+                all.row(y - first_row)[static_cast<std::size_t>(x)] = values[component(x, channel)];
             }
         }
         return all;
@@ -187,9 +186,13 @@ class RowDiffusion {
         return {row.parts.data() + kPadding, rests, std::ptrdiff_t{Channels} * row_direction(order_, y)};
     }
 
-    void gather_values(int y, int x0, int x1, std::span<Units> values) noexcept {
-        gather<Kernel>(encoded_.row(y), units_, source(y - 1, y), source(y - 2, y), values,
-                       std::ptrdiff_t{x0} * Channels, std::ptrdiff_t{x1} * Channels);
+    /// A stretch after the other, each while its encoded values are in the cache.
+    void gather_values(int y, int x0, int x1, EncodedReader& read, std::span<Units> values) {
+        for (int begin = x0; begin < x1; begin += kStretch_px) {
+            const std::span<const float> encoded = read(y, begin, std::min(x1, begin + kStretch_px));
+            gather<Kernel>(encoded, units_, source(y - 1, y), source(y - 2, y), std::ptrdiff_t{begin} * Channels,
+                           values);
+        }
         add_edges(y, x0, x1, values);
     }
 
@@ -200,7 +203,7 @@ class RowDiffusion {
                 values[component(x, c)] += edges[component(place, c)];
             }
         };
-        const int right = encoded_.width - kEdge_px;
+        const int right = codes_.width - kEdge_px;
         for (int x = x0; x < std::min(x1, kEdge_px); ++x) add(x, x);
         for (int x = std::max(x0, right); x < x1; ++x) add(x, x - right + kEdge_px);
     }
@@ -208,7 +211,7 @@ class RowDiffusion {
     /// The pixels [begin, end) in the order of the row, which have all neighbours.
     template <int Direction>
     void round_inside(int y, int begin, int end, Carry& carry, std::span<const Units> values) noexcept {
-        const int first = Direction > 0 ? begin : encoded_.width - 1 - begin;
+        const int first = Direction > 0 ? begin : codes_.width - 1 - begin;
         const std::ptrdiff_t start = std::ptrdiff_t{first} * Channels;
         const Units* value = values.data() + start;
         std::uint16_t* code = codes_.row(y).data() + start;
@@ -240,7 +243,7 @@ class RowDiffusion {
 
     /// Pixel i in the order of the row, near a border.
     void round_at_border(int y, int i, Carry& carry, std::span<const Units> values) noexcept {
-        const int width = encoded_.width, direction = row_direction(order_, y);
+        const int width = codes_.width, direction = row_direction(order_, y);
         const int x = direction > 0 ? i : width - 1 - i;
         const DiffusionNeighbours& neighbours = i < width / 2 ? near_begin_[static_cast<std::size_t>(i)]
                                                               : near_end_[static_cast<std::size_t>(width - 1 - i)];
@@ -262,12 +265,11 @@ class RowDiffusion {
     }
 
     RowOrder order_;
-    EncodedRows encoded_;
     CodeScale scale_;
     CodeUnits units_;
     CodeRows codes_;
     std::vector<RowErrors> errors_;  // of row y at y modulo their number
-    std::vector<Units> nothing_ = std::vector<Units>(encoded_.row(0).size() + 2 * kPadding);
+    std::vector<Units> nothing_ = std::vector<Units>(codes_.row(0).size() + 2 * kPadding);
     std::vector<Edges> edges_;  // of all rows
     std::vector<RowState> states_;
     /// Of the first two pixels in the order of the row, and of the last two from the end.
@@ -278,11 +280,12 @@ class RowDiffusion {
 };
 
 template <const DiffusionKernel& Kernel, int Channels>
-void diffuse_channels(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void diffuse_channels(RowOrder order, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
                       int threads) {
-    const int last_rows = encoded.height - Kernel.reach(), width = encoded.width;
-    const bool is_plain = last_rows <= 0 || last_rows > kMostRows || width < kLeastWidth_px;
-    if (is_plain) return diffuse_plainly(Kernel, order, encoded, scale, codes);
+    const int last_rows = codes.height - Kernel.reach(), width = codes.width;
+    if (last_rows <= 0 || last_rows > kMostRows || width < kLeastWidth_px) {
+        return diffuse_plainly(Kernel, order, EncodedPicture(source, 0, threads).rows(), scale, codes);
+    }
 
     // Rows that have all rows below them. More threads than there are stretches of a row to follow each other at would
     // only wait.
@@ -290,35 +293,37 @@ void diffuse_channels(RowOrder order, const EncodedRows& encoded, const CodeScal
     const int wanted = order == RowOrder::serpentine ? 1 : threads == 0 ? hardware_threads() : threads;
     const int workers = std::clamp(width / kLeastStretch_px, 1, wanted);
     Wavefront wavefront(width, last_rows, Kernel.reach(), workers);
-    RowDiffusion<Kernel, Channels> diffusion(order, encoded, scale, codes, wavefront.rows_at_once());
+    RowDiffusion<Kernel, Channels> diffusion(order, scale, codes, wavefront.rows_at_once());
     parallel_for(0, workers, workers, [&](int) {
-        std::vector<Units> values(encoded.row(0).size());
+        EncodedReader read(source);
+        std::vector<Units> values(codes.row(0).size());
         while (const std::optional<WavefrontTile> tile = wavefront.take()) {
-            for (int y = tile->y0; y < tile->y1; ++y) diffusion.round_to(y, wavefront.end_of(*tile, y), values);
+            for (int y = tile->y0; y < tile->y1; ++y) diffusion.round_to(y, wavefront.end_of(*tile, y), read, values);
             wavefront.done(*tile);
         }
     });
 
-    // The last rows
+    const EncodedPicture last(source, last_rows, threads);
     for (int channel = 0; channel < Channels; ++channel) {
         IncomingErrors incoming = diffusion.incoming(last_rows, channel);
-        diffuse_plainly(Kernel, order, encoded, scale, codes, channel, last_rows, incoming);
+        diffuse_plainly(Kernel, order, last.rows(), scale, codes.from(last_rows), channel, last_rows, incoming);
     }
 }
 
 }  // namespace
 
 template <const DiffusionKernel& Kernel>
-void diffuse_rows(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void diffuse_rows(RowOrder order, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
                   int threads) {
-    if (encoded.channels == 1) return diffuse_channels<Kernel, 1>(order, encoded, scale, codes, threads);
-    diffuse_channels<Kernel, 3>(order, encoded, scale, codes, threads);
+    if (source.channels() == 1) return diffuse_channels<Kernel, 1>(order, source, scale, codes, threads);
+    diffuse_channels<Kernel, 3>(order, source, scale, codes, threads);
 }
 
-template void diffuse_rows<kFloydSteinbergKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
-template void diffuse_rows<kJarvisKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
-template void diffuse_rows<kStuckiKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
-template void diffuse_rows<kSierraKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
-template void diffuse_rows<kAtkinsonKernel>(RowOrder, const EncodedRows&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kFloydSteinbergKernel>(RowOrder, const EncodedSource&, const CodeScale&, const CodeRows&,
+                                                  int);
+template void diffuse_rows<kJarvisKernel>(RowOrder, const EncodedSource&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kStuckiKernel>(RowOrder, const EncodedSource&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kSierraKernel>(RowOrder, const EncodedSource&, const CodeScale&, const CodeRows&, int);
+template void diffuse_rows<kAtkinsonKernel>(RowOrder, const EncodedSource&, const CodeScale&, const CodeRows&, int);
 
 }  // namespace emulsion

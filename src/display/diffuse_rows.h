@@ -5,6 +5,7 @@
 #include "display/component_rows.h"
 #include "display/diffuse_plainly.h"
 #include "display/diffusion_kernel.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -16,7 +17,7 @@ namespace emulsion {
 /// less than 8 columns and of more than 2^15 rows.
 /// For the kernels in display/diffusion_kernel.h, and one or three channels.
 template <const DiffusionKernel& Kernel>
-void diffuse_rows(RowOrder order, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void diffuse_rows(RowOrder order, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
                   int threads);
 
 }  // namespace emulsion

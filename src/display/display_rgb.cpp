@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "display/display_rgb_rows.h"
 #include "spectrum/rgb_space.h"
 
 namespace emulsion {
@@ -26,22 +27,9 @@ RGBd display_rgb(const RgbFromXyz& conversion, const XYZd& xyz) noexcept {
 }
 
 void display_rgb(const RgbFromXyz& conversion, std::span<const XYZ> xyz, std::span<RGB> rgb) noexcept {
-    std::array<std::array<float, 3>, 3> m{};
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) {
-            m[row][column] = static_cast<float>(conversion.matrix.m[row][column]);
-        }
-    }
-    // Component by component: GCC 12 makes no vectors of loops that copy whole pixels.
-    for (std::size_t i = 0; i < xyz.size(); ++i) {
-        const float x = xyz[i].x, y = xyz[i].y, z = xyz[i].z;
-        rgb[i].r = m[0][0] * x + m[0][1] * y + m[0][2] * z;
-        rgb[i].g = m[1][0] * x + m[1][1] * y + m[1][2] * z;
-        rgb[i].b = m[2][0] * x + m[2][1] * y + m[2][2] * z;
-    }
-    const auto pedestal = static_cast<float>(conversion.pedestal);
-    if (pedestal == 0.0f) return;
-    for (RGB& p : rgb) p = {p.r - pedestal, p.g - pedestal, p.b - pedestal};
+    std::array<float, 9> matrix{};
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = static_cast<float>(conversion.matrix.m[i / 3][i % 3]);
+    linear_rgb(matrix, static_cast<float>(conversion.pedestal), xyz, rgb);
 }
 
 }  // namespace emulsion

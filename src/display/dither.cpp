@@ -13,11 +13,11 @@ namespace {
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 template <class Pixel>
-void check(const Dither& dither, ImageView<Pixel> encoded, int threads) {
+void check(const Dither& dither, ImageView<Pixel> picture, int threads) {
     validate_named(dither, "dither");
     if (threads < 0) throw std::invalid_argument("threads " + std::to_string(threads) + ": must be at least 0");
-    if (encoded.width() >= 1 && encoded.height() >= 1) return;
-    throw std::invalid_argument("picture size " + size_text(encoded.width(), encoded.height()) +
+    if (picture.width() >= 1 && picture.height() >= 1) return;
+    throw std::invalid_argument("picture size " + size_text(picture.width(), picture.height()) +
                                 ": both must be at least 1");
 }
 
@@ -29,9 +29,9 @@ void check(const Dither& dither, ImageView<Pixel> encoded, ImageView<Code> codes
                                 size_text(encoded.width(), encoded.height()) + ", as the picture's");
 }
 
-void quantize_rows(const Dither& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize_rows(const Dither& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
                    int threads) {
-    std::visit([&](const auto& chosen) { quantize(chosen, encoded, scale, codes, threads); }, dither);
+    std::visit([&](const auto& chosen) { quantize(chosen, source, scale, codes, threads); }, dither);
 }
 
 }  // namespace
@@ -46,6 +46,12 @@ void quantize_into(const Dither& dither, ImageView<const float> encoded, const C
                    ImageView<std::uint16_t> codes, int threads) {
     check(dither, encoded, codes, threads);
     quantize_rows(dither, grey_rows(encoded), scale, grey_rows(codes), threads);
+}
+
+void quantize_into(const Dither& dither, const MakeEncoded& make, const CodeScale& scale, ImageView<CodeRGB> codes,
+                   int threads) {
+    check(dither, codes, threads);
+    quantize_rows(dither, EncodedSource(codes.width(), codes.height(), make), scale, rgb_rows(codes), threads);
 }
 
 Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale, int threads) {

@@ -9,6 +9,7 @@
 #include "display/bayer.h"
 #include "display/blue_noise.h"
 #include "display/code_value.h"
+#include "display/encoded_source.h"
 #include "display/error_diffusion.h"
 #include "display/halftone.h"
 #include "display/no_dither.h"
@@ -35,5 +36,12 @@ void quantize_into(const Dither& dither, ImageView<const RGB> encoded, const Cod
                    int threads);
 void quantize_into(const Dither& dither, ImageView<const float> encoded, const CodeScale& scale,
                    ImageView<std::uint16_t> codes, int threads);
+
+/// The same of encoded values that are made when they are asked for, as many as `codes` has pixels: stages before this
+/// one then hand on what is in the processor's cache. Only Hilbert order has to have all of them in memory.
+/// \param make must give the same for every number of threads \throws std::invalid_argument as above; what `make`
+/// throws.
+void quantize_into(const Dither& dither, const MakeEncoded& make, const CodeScale& scale, ImageView<CodeRGB> codes,
+                   int threads);
 
 }  // namespace emulsion

@@ -17,6 +17,7 @@
 #include "core/parameters.h"
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -77,15 +78,15 @@ struct Atkinson {
 };
 
 /// As quantize() in display/dither.h.
-void quantize(const FloydSteinberg& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const FloydSteinberg& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
-void quantize(const Jarvis& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Jarvis& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
-void quantize(const Stucki& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Stucki& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
-void quantize(const Sierra& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Sierra& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
-void quantize(const Atkinson& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Atkinson& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

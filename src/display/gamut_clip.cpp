@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "display/gamut_scan.h"
+#include "display/gamut_rows.h"
 
 namespace emulsion {
 
@@ -11,7 +11,7 @@ RGBd map_gamut(const GamutClip& /*mapper*/, const DisplayGamut& /*gamut*/, const
 }
 
 GamutCounts map_gamut(const GamutClip& /*mapper*/, const DisplayGamut& /*gamut*/, std::span<RGB> linear) noexcept {
-    return map_outside(linear, [](const RGB& rgb, float /*excess*/) noexcept { return clipped(rgb); });
+    return clip_row(linear);
 }
 
 }  // namespace emulsion

@@ -12,14 +12,9 @@
 #include "core/color.h"
 #include "display/code_value.h"
 #include "display/gamut_counts.h"
+#include "display/gamut_rows.h"
 
 namespace emulsion {
-
-/// Distance from [0, 1], 0 inside; 0 for NaN.
-[[nodiscard]] inline float gamut_excess(float component) noexcept {
-    const float below = 0.0f < -component ? -component : 0.0f;
-    return below < component - 1.0f ? component - 1.0f : below;
-}
 
 /// The nearest colour component by component; NaN and -0 as +0.
 [[nodiscard]] constexpr RGB clipped(const RGB& rgb) noexcept {
@@ -39,33 +34,6 @@ namespace emulsion {
 
 inline constexpr std::size_t kGamutBlock_px = 64;
 
-/// What is outside in a block, and by how much: the largest distance of a component from [0, 1] for each pixel.
-struct GamutBlock {
-    std::array<float, kGamutBlock_px> excess{};
-    GamutCounts counts;
-};
-
-/// \param block of up to kGamutBlock_px pixels. Loops without branches, which compilers make vectors of.
-[[nodiscard]] inline GamutBlock measure(std::span<const RGB> block) noexcept {
-    GamutBlock found;
-    std::array<std::int32_t, kGamutBlock_px> nan{};
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        const RGB& p = block[i];
-        nan[i] = static_cast<std::int32_t>(p.r != p.r) | static_cast<std::int32_t>(p.g != p.g) |
-                 static_cast<std::int32_t>(p.b != p.b);
-        found.excess[i] = std::max(std::max(gamut_excess(p.r), gamut_excess(p.g)), gamut_excess(p.b));
-    }
-    std::int32_t nans = 0, outside = 0, largest = 0;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        nans += nan[i];
-        outside += static_cast<std::int32_t>(found.excess[i] > kGamutTolerance) & ~nan[i];
-        // Floats that aren't negative are in the order of their bits.
-        largest = std::max(largest, std::bit_cast<std::int32_t>(found.excess[i]));
-    }
-    found.counts = {outside, nans, std::bit_cast<float>(largest)};
-    return found;
-}
-
 /// Replaces each pixel that is not inside by inside(pixel, excess), with the largest distance of a component from
 /// [0, 1], and counts. Blocks of pixels that are all inside, as most are, are only looked at.
 template <class Inside>
@@ -74,9 +42,9 @@ GamutCounts map_outside(std::span<RGB> linear, const Inside& inside) noexcept {
     for (std::size_t begin = 0; begin < linear.size(); begin += kGamutBlock_px) {
         const std::span<RGB> block = linear.subspan(begin, std::min(kGamutBlock_px, linear.size() - begin));
         if (all_inside(block)) continue;
-        const GamutBlock found = measure(block);
-        counts += found.counts;
-        for (std::size_t i = 0; i < block.size(); ++i) block[i] = inside(block[i], found.excess[i]);
+        std::array<float, kGamutBlock_px> excess{};
+        counts += measure_row(block, std::span(excess).first(block.size()));
+        for (std::size_t i = 0; i < block.size(); ++i) block[i] = inside(block[i], excess[i]);
     }
     return counts;
 }

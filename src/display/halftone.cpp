@@ -86,15 +86,15 @@ std::vector<int> halftone_ranks(const HalftoneCell& cell) {
     return ranks;
 }
 
-void quantize(const Halftone& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Halftone& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads) {
     struct Screen {
         std::size_t side;
         std::vector<Threshold> thresholds;
     };
     std::vector<Screen> screens;
-    for (int c = 0; c < encoded.channels; ++c) {
-        const HalftoneCell cell = halftone_cell(dither, c, encoded.channels);
+    for (int c = 0; c < source.channels(); ++c) {
+        const HalftoneCell cell = halftone_cell(dither, c, source.channels());
         Screen screen{static_cast<std::size_t>(cell.pixels()), {}};
         for (const int rank : halftone_ranks(cell)) {
             screen.thresholds.push_back(threshold_of_rank(rank, cell.pixels()));
@@ -112,7 +112,7 @@ void quantize(const Halftone& dither, const EncodedRows& encoded, const CodeScal
             }
         }
     };
-    quantize_by_thresholds(encoded, scale, codes, threads, encoded.width, fill_row);
+    quantize_by_thresholds(source, scale, codes, threads, source.width(), fill_row);
 }
 
 }  // namespace emulsion

@@ -8,6 +8,7 @@
 #include "core/parameters.h"
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -59,7 +60,7 @@ struct HalftoneCell {
 [[nodiscard]] std::vector<int> halftone_ranks(const HalftoneCell& cell);
 
 /// As quantize() in display/dither.h.
-void quantize(const Halftone& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const Halftone& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

@@ -1,29 +1,19 @@
 #include "display/no_dither.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
-#include "core/row_blocks.h"
+#include "display/code_rows.h"
 
 namespace emulsion {
 
-namespace {
-
-std::uint16_t nearest_code(float encoded, const CodeScale& scale) noexcept {
-    const double steps = static_cast<double>(unit_clamp(encoded)) * scale.steps();
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and exact in double precision up to the cut
-    return static_cast<std::uint16_t>(scale.black + static_cast<int>(steps + 0.5));
-}
-
-}  // namespace
-
-void quantize(const NoDither& /*dither*/, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const NoDither& /*dither*/, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads) {
-    parallel_for_rows(encoded.width, encoded.height, threads, [&](int y) {
-        const std::span<const float> in = encoded.row(y);
-        const std::span<std::uint16_t> out = codes.row(y);
-        for (std::size_t i = 0; i < in.size(); ++i) out[i] = nearest_code(in[i], scale);
+    for_each_stretch(source, threads, [&] {
+        return [&](int y, int x0, std::span<const float> encoded) {
+            const std::size_t begin = static_cast<std::size_t>(x0) * static_cast<std::size_t>(codes.channels);
+            round_to_nearest(encoded, scale, codes.row(y).subspan(begin, encoded.size()));
+        };
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -16,7 +17,7 @@ struct NoDither {
 };
 
 /// As quantize() in display/dither.h.
-void quantize(const NoDither& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const NoDither& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

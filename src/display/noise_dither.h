@@ -5,6 +5,7 @@
 
 #include "display/code_value.h"
 #include "display/component_rows.h"
+#include "display/encoded_source.h"
 
 namespace emulsion {
 
@@ -31,9 +32,9 @@ struct TriangularNoise {
 };
 
 /// As quantize() in display/dither.h.
-void quantize(const WhiteNoise& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const WhiteNoise& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
-void quantize(const TriangularNoise& dither, const EncodedRows& encoded, const CodeScale& scale, const CodeRows& codes,
+void quantize(const TriangularNoise& dither, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
               int threads);
 
 }  // namespace emulsion

@@ -3,13 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "display/curve_vectors.h"
-
 namespace emulsion {
 
 namespace {
 
-using AnyEncoder = std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder<GammaTransfer>,
+using AnyEncoder = std::variant<IdentityEncoder, StraightToeCurve, SquareRootToeCurve, ExactEncoder<GammaTransfer>,
                                 ExactEncoder<TableTransfer>>;
 
 /// The least normal float: the table's segments widen to octaves and more below it.
@@ -32,7 +30,7 @@ float last_float_of_toe(double knee) noexcept {
 template <class Curve>
 AnyEncoder encoder_of_curve(const Curve& curve) {
     const float last = std::nextafter(kLeastFloat, 0.0f);
-    return StraightToeEncoder{last, 0.0f, static_cast<float>(curve(0.0)), CurveTable(curve, kLeastFloat)};
+    return StraightToeCurve{last, 0.0f, static_cast<float>(curve(0.0)), CurveTable(curve, kLeastFloat)};
 }
 
 template <class T>
@@ -44,7 +42,7 @@ template <HasStraightToe T>
 AnyEncoder encoder_of(const T& transfer) {
     const float last = last_float_of_toe(T::kLinearKnee);
     const auto curve = [&](double x) { return encode_above_knee(transfer, x); };
-    return StraightToeEncoder{last, static_cast<float>(T::kSlope), 0.0f, CurveTable(curve, last)};
+    return StraightToeCurve{last, static_cast<float>(T::kSlope), 0.0f, CurveTable(curve, last)};
 }
 
 AnyEncoder encoder_of(const LinearTransfer& /*transfer*/) { return IdentityEncoder{}; }
@@ -58,7 +56,7 @@ AnyEncoder encoder_of(const Bt1886Transfer& transfer) {
     const float black = last_float_of_toe(decode(transfer, 0.0));
     if (black < kLeastFloat) return encoder_of<Bt1886Transfer>(transfer);
     const auto curve = [&](double x) { return encode(transfer, x); };
-    return StraightToeEncoder{black, 0.0f, 0.0f, CurveTable(curve, black)};
+    return StraightToeCurve{black, 0.0f, 0.0f, CurveTable(curve, black)};
 }
 
 AnyEncoder encoder_of(const TableTransfer& transfer) { return ExactEncoder<TableTransfer>{transfer}; }
@@ -66,33 +64,15 @@ AnyEncoder encoder_of(const TableTransfer& transfer) { return ExactEncoder<Table
 AnyEncoder encoder_of(const HlgTransfer& transfer) {
     const float last = last_float_of_toe(HlgTransfer::kLinearKnee);
     const auto curve = [&](double x) { return encode_above_knee(transfer, x); };
-    return SquareRootToeEncoder{last, CurveTable(curve, last)};
+    return SquareRootToeCurve{last, CurveTable(curve, last)};
 }
 
 void encode_all(const IdentityEncoder& /*encoder*/, std::span<RGB> /*linear*/) noexcept {}
 
-void encode_all(const StraightToeEncoder& encoder, std::span<RGB> linear) noexcept {
-    const auto encoded = [&](float x) noexcept {
-        return x <= encoder.last ? encoder.offset + encoder.slope * x : encoder.above(x);
-    };
-    const Four tag;
-    const auto last = hn::Set(tag, encoder.last), slope = hn::Set(tag, encoder.slope),
-               offset = hn::Set(tag, encoder.offset);
-    const auto vectors = [&](FourFloats x) noexcept {
-        const auto toe = hn::Add(offset, hn::Mul(slope, x));
-        return hn::IfThenElse(hn::Le(x, last), toe, lookup(encoder.above, x));
-    };
-    replace_components(linear, vectors, encoded);
-}
-
-void encode_all(const SquareRootToeEncoder& encoder, std::span<RGB> linear) noexcept {
-    const auto encoded = [&](float x) noexcept { return x <= encoder.last ? std::sqrt(3.0f * x) : encoder.above(x); };
-    const Four tag;
-    const auto last = hn::Set(tag, encoder.last), three = hn::Set(tag, 3.0f);
-    const auto vectors = [&](FourFloats x) noexcept {
-        return hn::IfThenElse(hn::Le(x, last), hn::Sqrt(hn::Mul(three, x)), lookup(encoder.above, x));
-    };
-    replace_components(linear, vectors, encoded);
+/// As one row of components.
+template <class Curve>
+void encode_all(const Curve& curve, std::span<RGB> linear) noexcept {
+    if (!linear.empty()) encode_row(curve, {&linear.data()->r, 3 * linear.size()});
 }
 
 template <class Transfer>

@@ -6,26 +6,14 @@
 #include <variant>
 
 #include "core/color.h"
-#include "display/curve_table.h"
 #include "display/display_light.h"
+#include "display/encode_rows.h"
 #include "spectrum/transfer_function.h"
 
 namespace emulsion {
 
 /// Linear values as they are.
 struct IdentityEncoder {};
-
-/// offset + slope x for x <= last, the table above.
-struct StraightToeEncoder {
-    float last, slope, offset;
-    CurveTable above;
-};
-
-/// sqrt(3 x) for x <= last, the table above.
-struct SquareRootToeEncoder {
-    float last;
-    CurveTable above;
-};
 
 /// The specification itself, of functions that parabolas don't fit: gammas below 1, which are steep near 1, where the
 /// segments of the table are widest, and measured tables with their kinks.
@@ -56,7 +44,7 @@ class TransferEncoder {
     void operator()(std::span<RGB> linear) const noexcept;
 
   private:
-    std::variant<IdentityEncoder, StraightToeEncoder, SquareRootToeEncoder, ExactEncoder<GammaTransfer>,
+    std::variant<IdentityEncoder, StraightToeCurve, SquareRootToeCurve, ExactEncoder<GammaTransfer>,
                  ExactEncoder<TableTransfer>>
         encoder_;
 };

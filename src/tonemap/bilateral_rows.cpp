@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "tonemap/vector_loop.h"
+#include "core/vector_loop.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace emulsion::HWY_NAMESPACE {

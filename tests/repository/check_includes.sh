@@ -24,7 +24,7 @@ declare -A users=(
     ['^(libpng[0-9]*/)?png(conf|libconf)?\.h$']=display
     ['^lcms2']=display
     ['^embree']=pathtracer
-    ['^hwy/']='tonemap display'
+    ['^hwy/']='core tonemap display'
 )
 
 # --- Folders

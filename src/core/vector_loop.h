@@ -2,11 +2,11 @@
 // each of them, after Highway.
 
 // Highway's idiom in the place of `#pragma once`.
-#if defined(EMULSION_TONEMAP_VECTOR_LOOP_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef EMULSION_TONEMAP_VECTOR_LOOP_H
-#undef EMULSION_TONEMAP_VECTOR_LOOP_H
+#if defined(EMULSION_CORE_VECTOR_LOOP_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EMULSION_CORE_VECTOR_LOOP_H
+#undef EMULSION_CORE_VECTOR_LOOP_H
 #else
-#define EMULSION_TONEMAP_VECTOR_LOOP_H
+#define EMULSION_CORE_VECTOR_LOOP_H
 #endif
 
 #include <cstddef>
