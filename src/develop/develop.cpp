@@ -78,7 +78,7 @@ DevelopResult develop(Image<XYZ> scene, const Pipeline& pipeline, int threads) {
 
 DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads) {
     validate(pipeline);
-    DevelopResult result{Image<CodeRGB>(display_xyz.width(), display_xyz.height()), {}};
+    DevelopResult result{Image<CodeRGB>(display_xyz.width(), display_xyz.height(), UnsetPixels{}), {}};
     Encoder encode(display_xyz, pipeline);
     quantize_into(pipeline.dither, std::ref(encode), code_scale(pipeline.bits, pipeline.range), result.image.view(),
                   threads);
