@@ -185,10 +185,9 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 }
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
-    EXPECT_EQ(
-        message_of("tonemapper=max-to-white"),
-        "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
-        "scene-white, display, gamut, vision or bits");
+    EXPECT_EQ(message_of("tonemapper=max-to-white"),
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
+              "scene-white, display, gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");
