@@ -21,7 +21,7 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
-    visitor("white", pipeline.white);
+    visitor("scene-white", pipeline.scene_white);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
@@ -122,7 +122,7 @@ Pipeline parse_pipeline(std::string_view text) {
 void validate(const Pipeline& pipeline) {
     for_each_stage(pipeline, [](std::string_view key, const auto& stage) { validate_stage(key, stage); });
     validate(pipeline.display);
-    validate(pipeline.white, pipeline.display);
+    validate(pipeline.scene_white, pipeline.display);
     (void)code_scale(pipeline.bits, pipeline.range);
 }
 
