@@ -55,8 +55,9 @@ void write_outputs(const DevelopSettings& settings, Image<XYZ> picture) {
     }
     if (settings.output.empty()) return;
     if (picture_format(settings.output) == PictureFormat::png) {
-        const Image<CodeRGB> codes = develop(picture, rest, threads).image;
-        write_developed(settings.output, codes, settings.pipeline, settings.png_level);
+        const DevelopResult developed = develop(picture, rest, threads);
+        write_developed(settings.output, developed.image, settings.pipeline, settings.png_level);
+        if (!settings.quiet) report_gamut(developed, rest);
     } else {
         write_scene_referred(std::move(picture), rest, threads, settings.output);
     }

@@ -12,8 +12,6 @@ namespace emulsion {
 
 namespace {
 
-constexpr std::string_view kOwn = "own";  // a stage that is left to another
-
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
 template <class AnyPipeline, class Visitor>
 void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
@@ -38,7 +36,7 @@ std::string stage_text(const Variant& stage) {
 
 template <NamedVariant Variant>
 std::string stage_text(const std::optional<Variant>& stage) {
-    return stage ? to_text(*stage) : std::string(kOwn);
+    return stage ? to_text(*stage) : std::string(kOwnStage);
 }
 
 void validate_stage(std::string_view key, int bits) { check_range(bits, kCodeBits, key); }
@@ -62,8 +60,7 @@ void parse_stage(std::string_view key, std::string_view text, Variant& stage) {
 }
 template <NamedVariant Variant>
 void parse_stage(std::string_view key, std::string_view text, std::optional<Variant>& stage) {
-    stage.reset();
-    if (text != kOwn) stage = parse_named<Variant>(text, key);
+    stage = parse_named_or<Variant>(kOwnStage, text, key);
 }
 
 /// Sets the stage named by the key of "key=value".

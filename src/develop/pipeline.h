@@ -17,6 +17,9 @@
 
 namespace emulsion {
 
+/// In text forms and flags, of a stage that is left to what another has of its own.
+inline constexpr std::string_view kOwnStage = "own";
+
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none
 ///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
