@@ -112,12 +112,12 @@ TEST(Develop, ReportsWhatTheDisplayCannotShow) {
     const std::string png = folder.file("ramp.png");
     for (XYZ& p : picture.xyz.pixels()) p = {0.9505f * p.y, p.y, 1.089f * p.y};
     const std::string grey = write_picture(folder, picture);
-    EXPECT_EQ(run_program({"develop", grey, "-o", png, "--tonemap", "max-to-white"}).out, "wrote " + png + "\n");
+    EXPECT_EQ(run_program({"develop", grey, "-o", png, "--tonemap", "fixed:white=100"}).out, "wrote " + png + "\n");
 
-    for (int x = 0; x < 8; ++x) picture.xyz(x, 3) = {0.0f, 64.0f, 0.0f};
+    for (int x = 0; x < 8; ++x) picture.xyz(x, 3) = {0.0f, 50.0f, 0.0f};
     const std::string green = write_picture(folder, picture);
-    const std::vector<std::string> arguments = {"develop", green, "-o", png, "--tonemap", "max-to-white"};
-    const std::string report = "8 of 1024 pixels (0.78 %) were outside the display's gamut, by up to 1.5 of white; ";
+    const std::vector<std::string> arguments = {"develop", green, "-o", png, "--tonemap", "fixed:white=100"};
+    const std::string report = "8 of 1024 pixels (0.78 %) were outside the display's gamut, by up to 0.77 of white; ";
     EXPECT_EQ(run_program(arguments).out, report + "--gamut clip\nwrote " + png + "\n");
     std::vector<std::string> none = arguments, quiet = arguments;
     none.insert(none.end(), {"--gamut", "none"});
