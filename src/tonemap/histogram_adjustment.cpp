@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <numbers>
+#include <span>
 
 namespace emulsion {
 
 namespace {
 
-constexpr double kTolerance = 0.005;     // of what is left, trimmed in one pass
-constexpr double kSpreadEvenly = 0.001;  // of all
-constexpr double kNothing = 1e-5;        // of all
+constexpr double kTolerance = 0.005;                 // of what is left, trimmed in one pass
+constexpr double kSpreadEvenly = 0.001;              // of all
+constexpr double kNothing = 1e-5;                    // of all
+constexpr double kSpread = std::numbers::ln2 / 8.0;  // of a value to either side, in ln of luminance
 
-/// A bin of brightness; the first and the last one are cut off at the ends of the robust range.
+/// A bin of brightness, one of LuminanceHistogram's; the first and the last one are cut off at the ends of the robust
+/// range.
 struct Bin {
     double low, high;  // ln of cd/m^2
     double count;
@@ -31,23 +36,42 @@ void spread_evenly(std::vector<Bin>& bins) noexcept {
     for (Bin& bin : bins) bin.count += density * (bin.high - bin.low);
 }
 
+/// How much of a triangle of area 1 over [-1, 1] lies below u.
+double triangle_below(double u) noexcept {
+    const double inside = std::clamp(u, -1.0, 1.0);
+    return inside < 0.0 ? 0.5 * (1.0 + inside) * (1.0 + inside) : 1.0 - 0.5 * (1.0 - inside) * (1.0 - inside);
+}
+
+/// Adds `count` values at `place` (ln of cd/m^2), spread over the bins from `first` on that a triangle about it meets.
+void add_spread(std::span<Bin> bins, std::size_t first, double place, double count) noexcept {
+    const auto below = [&](double end) { return triangle_below((end - place) / kSpread); };
+    for (Bin& bin : bins.subspan(first)) {
+        if (bin.low >= place + kSpread) return;
+        bin.count += count * (below(bin.high) - below(bin.low));
+    }
+}
+
 std::vector<Bin> bins_of(const SceneLuminance& luminance) {
-    constexpr int kBinsInOne = LuminanceHistogram::kBinsPerOctave / 8;
     const LuminanceHistogram& histogram = luminance.histogram();
     const double least = luminance.robust_min_cdm2(), most = luminance.robust_max_cdm2();
     std::vector<Bin> bins;
-    for (int first = 0; first < LuminanceHistogram::kBins; first += kBinsInOne) {
-        const double low = LuminanceHistogram::lower_end(first),
-                     high = LuminanceHistogram::lower_end(first + kBinsInOne);
+    for (int bin = 0; bin < LuminanceHistogram::kBins; ++bin) {
+        const double low = LuminanceHistogram::lower_end(bin), high = LuminanceHistogram::lower_end(bin + 1);
         if (high <= least || low >= most) continue;
-        double count = 0.0;
-        for (int bin = first; bin < first + kBinsInOne; ++bin) {
-            const bool outside =
-                LuminanceHistogram::lower_end(bin + 1) <= least || LuminanceHistogram::lower_end(bin) > most;
-            if (!outside) count += static_cast<double>(histogram.count(bin));
-        }
-        bins.push_back({std::log(std::max(low, least)), std::log(std::min(high, most)), count,
+        bins.push_back({std::log(std::max(low, least)), std::log(std::min(high, most)), 0.0,
                         low > 0.0 ? std::log(low) : std::log(least)});
+    }
+    const double log_least = bins.front().low, log_most = bins.back().high;
+    std::size_t first = 0;  // that the triangle meets
+    for (int bin = 0; bin < LuminanceHistogram::kBins; ++bin) {
+        const auto count = static_cast<double>(histogram.count(bin));
+        if (count == 0.0) continue;
+        const double place = std::log(std::clamp(histogram.mean(bin), least, most));
+        while (bins[first].high <= place - kSpread) ++first;
+        add_spread(bins, first, place, count);
+        // What a triangle has past the ends comes back from them.
+        if (place < log_least + kSpread) add_spread(bins, 0, 2.0 * log_least - place, count);
+        if (place > log_most - kSpread) add_spread(bins, first, 2.0 * log_most - place, count);
     }
     spread_evenly(bins);
     return bins;

@@ -21,7 +21,7 @@ namespace emulsion {
 struct ReinhardGlobal {
     static constexpr std::string_view kName = "reinhard-global";
     static constexpr std::string_view kHelp = "photographic tone reproduction, one curve for all pixels";
-    static constexpr OperatorTraits kTraits = {};
+    static constexpr OperatorTraits kTraits = {.unit = UnitOfLuminance::nearly_cancels};
     float key = 0.18f;                                     ///< L given to Ya; finite, > 0, or 0: photographic_key()
     float white = std::numeric_limits<float>::infinity();  ///< smallest L shown as white; > 0, or 0: robust largest
     bool operator==(const ReinhardGlobal&) const = default;

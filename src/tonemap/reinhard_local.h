@@ -19,7 +19,7 @@ namespace emulsion {
 struct ReinhardLocal {
     static constexpr std::string_view kName = "reinhard-local";
     static constexpr std::string_view kHelp = "photographic tone reproduction with automatic dodging and burning";
-    static constexpr OperatorTraits kTraits = {.monotone = Monotone::locally};
+    static constexpr OperatorTraits kTraits = {.unit = UnitOfLuminance::nearly_cancels, .monotone = Monotone::locally};
     float key = 0.18f;  ///< L given to the log-average; finite, > 0, or 0: photographic_key()
     bool operator==(const ReinhardLocal&) const = default;
 
