@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "three_pictures.h"
 #include "tonemap/tone_mapper.h"
 
@@ -50,12 +51,35 @@ std::vector<ToneMapper> relative_mappers() {
 
 class UnitOfLuminanceTest : public testing::TestWithParam<ToneMapper> {};
 
+// Photographs and renderings have no such edges: they stay within 3/255.
 TEST_P(UnitOfLuminanceTest, MovesNoPixelByMoreThanItSays) {
     const float stated = traits_of(GetParam()).unit == UnitOfLuminance::cancels ? 0.1f : 3.0f;
     for (const TestPicture& picture : three_pictures()) {
         const float found = 255.0f * largest_move(GetParam(), picture.scene);
         std::cout << picture.name << ": at most " << found << "/255\n";
         EXPECT_LE(found, stated) << to_text(GetParam()) << ", " << picture.name;
+    }
+}
+
+/// Two to nine luminances within six decades, each in many pixels, with noise that lies within one bin or across two:
+/// most is trimmed here.
+Image<XYZ> flat_areas(unsigned seed, float noise) {
+    Pcg32 random(seed);
+    std::vector<float> luminances(2 + random.next() % 8);
+    for (float& luminance : luminances) luminance = std::pow(10.0f, 6.0f * random.next_float() - 3.0f);
+    Image<XYZ> scene(80, 80);
+    for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
+        const float here = luminances[i / 16 % luminances.size()] * (1.0f + noise * (random.next_float() - 0.5f));
+        scene.pixels()[i] = here * kWhite;
+    }
+    return scene;
+}
+
+TEST_P(UnitOfLuminanceTest, MovesNoPixelOfFlatAreasByMoreThanItSays) {
+    const float stated = traits_of(GetParam()).unit == UnitOfLuminance::cancels ? 0.1f : 4.0f;
+    for (unsigned seed = 0; seed < 9; ++seed) {
+        const float noise = 0.015f * static_cast<float>(seed % 3);
+        EXPECT_LE(255.0f * largest_move(GetParam(), flat_areas(seed, noise)), stated) << to_text(GetParam()) << seed;
     }
 }
 
