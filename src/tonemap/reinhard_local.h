@@ -24,8 +24,8 @@ struct ReinhardLocal {
     bool operator==(const ReinhardLocal&) const = default;
 
     static constexpr std::array kParameters = {Parameter<ReinhardLocal>{
-        "key", &ReinhardLocal::key, kNotNegativeFinite, "",
-        "scaled luminance given to the log-average, larger is brighter; auto: from the range", "auto"}};
+        "key", &ReinhardLocal::key, kPositiveFinite, "",
+        "scaled luminance given to the log-average, larger is brighter; auto: from the range", kAutomatic}};
 };
 
 [[nodiscard]] Adaptation own_adaptation(const ReinhardLocal& mapper) noexcept;

@@ -82,6 +82,7 @@ TEST(Develop, ListsAnOperatorsOwnAdaptationAndSaysWhereThereIsNoUnit) {
             list, HasSubstr(std::string(mapper.kHelp) + "\n    adapted to: " + to_text(own_adaptation(mapper)) + '\n'));
     });
     EXPECT_THAT(list, HasSubstr("\n    key  [default: 0.18; range: auto or (0, inf); unit: none]\n"));
+    EXPECT_THAT(list, HasSubstr("\n    white  [default: inf; range: auto, max or (0, inf]; unit: none]\n"));
     EXPECT_THAT(run_program({"develop", "--list-adaptations"}).out,
                 HasSubstr("\n    contrast  [default: 0.5; range: (0, 10]; unit: none]\n"));
 }

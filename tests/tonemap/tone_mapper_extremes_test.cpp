@@ -129,6 +129,13 @@ void draw(const ParameterRange& range, Pcg32& random, int& value) {
     value = static_cast<int>(range.min + double{random.next_float()} * (most - range.min));
 }
 
+/// One in four is a word, where there are words.
+template <class T, class M>
+void draw(const Parameter<T>& parameter, Pcg32& random, M& value) {
+    if (parameter.special.empty() || random.next() % 4 != 0) return draw(parameter.range, random, value);
+    value = static_cast<M>(parameter.special[random.next() % parameter.special.size()].value);
+}
+
 TEST_P(EveryToneMapperAt, AgreesWithItsTwinWithAnyParameters) {
     Pcg32 random(19);
     const Image<XYZ> scene = random_scene(16, 16, 20);
@@ -137,7 +144,7 @@ TEST_P(EveryToneMapperAt, AgreesWithItsTwinWithAnyParameters) {
         std::visit(
             [&]<class T>(T& chosen) {
                 for (const Parameter<T>& parameter : parameters_of<T>()) {
-                    std::visit([&](auto member) { draw(parameter.range, random, chosen.*member); }, parameter.member);
+                    std::visit([&](auto member) { draw(parameter, random, chosen.*member); }, parameter.member);
                 }
             },
             mapper);
