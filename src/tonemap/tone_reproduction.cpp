@@ -46,9 +46,10 @@ void reproduce_globally(const ToneReproduction& reproduction, const LuminanceSta
 
 /// An adaptation for each pixel, held above the least positive luminance of the picture.
 void reproduce_locally(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
-                       const Image<float>& local, ImageView<const XYZ> scene, ImageView<XYZ> display,
+                       const AdaptationLuminance& adaptation, ImageView<const XYZ> scene, ImageView<XYZ> display,
                        const XYZ& display_white, int threads) {
-    const double unit = statistics.log_average_cdm2;
+    const Image<float>& local = adaptation.local;
+    const double unit = adaptation.uniform_cdm2;
     const double least = statistics.min_positive_cdm2 / unit, most = statistics.max_cdm2 / unit;
     const auto exposure_of = [&](double relative) { return reproduction.exposure(std::max(relative, least) * unit); };
     const auto exact_at = [&](std::size_t x, int y) {
@@ -83,7 +84,7 @@ void reproduce(const ToneReproduction& reproduction, const LuminanceStatistics& 
     if (adaptation.local.width() == 0) {
         reproduce_globally(reproduction, statistics, adaptation.uniform_cdm2, scene, display, display_white, threads);
     } else {
-        reproduce_locally(reproduction, statistics, adaptation.local, scene, display, display_white, threads);
+        reproduce_locally(reproduction, statistics, adaptation, scene, display, display_white, threads);
     }
 }
 

@@ -116,7 +116,8 @@ TEST(HistogramHuman, NoMoreIsVisibleThanInTheWorld) {
         const double shown = 100.0 * displayed(luminance);
         const double ceiling =
             (detection_threshold_cdm2(shown) / shown) / (detection_threshold_cdm2(luminance) / luminance);
-        // A bin is up to 3.1 % wide; the ceiling is taken at its middle, and lies above by what a pass leaves untrimmed.
+        // A bin is up to 3.1 % wide; the ceiling is taken at its middle, and lies above by what a pass leaves
+        // untrimmed.
         EXPECT_LE(contrast(displayed, luminance), 1.03 * std::min(1.0, ceiling)) << luminance;
     }
 }
