@@ -25,7 +25,7 @@ constexpr int kParts = 8;  // of a bin: a triangle's ends lie where they lie, an
 /// range.
 struct Bin {
     double low, high;                   // ln of cd/m^2
-    double lower_end;                   // not cut off, or only where that would be 0
+    double lower_end;                   // not cut off
     std::array<double, kParts> counts;  // in equally wide parts
 
     [[nodiscard]] double part_width() const noexcept { return (high - low) / kParts; }
@@ -72,10 +72,7 @@ std::vector<Bin> bins_of(const SceneLuminance& luminance) {
     for (int bin = 0; bin < LuminanceHistogram::kBins; ++bin) {
         const double low = LuminanceHistogram::lower_end(bin), high = LuminanceHistogram::lower_end(bin + 1);
         if (high <= least || low >= most) continue;
-        bins.push_back({std::log(std::max(low, least)),
-                        std::log(std::min(high, most)),
-                        low > 0.0 ? std::log(low) : std::log(least),
-                        {}});
+        bins.push_back({std::log(std::max(low, least)), std::log(std::min(high, most)), std::log(low), {}});
     }
     const double log_least = bins.front().low, log_most = bins.back().high;
     std::size_t first = 0;  // that the triangle meets

@@ -84,6 +84,17 @@ TEST_P(EveryToneMapperAt, DenormalsAreLuminancesToo) {
     }
 }
 
+// As long as the darkest pixel, of 3e-3 here, keeps so many steps that rounding to them does not show.
+TEST_P(EveryToneMapperAt, PictureInDenormalsIsThatOfItsUnit) {
+    if (traits_of(GetParam()).unit == UnitOfLuminance::absolute) return;
+    const Image<XYZ> scene = smooth_scene(61, 67, 9), mapped = map(scene);
+    for (const float factor : {1e-36f, 1e-37f, 1e-38f, 1e-39f, 1e-40f, 1e-41f}) {
+        Image<XYZ> other = scene;
+        for (XYZ& pixel : other.pixels()) pixel = factor * pixel;
+        EXPECT_LE(differences(mapped, map(other)).first, 4.0f / 255.0f) << factor;
+    }
+}
+
 /// (x, y) of the picture that is turned by a quarter is (y, width - 1 - x) of the original.
 Image<XYZ> turned(const Image<XYZ>& image) {
     Image<XYZ> result(image.height(), image.width());
