@@ -90,7 +90,8 @@ void add_file_options(CLI::App& command, DevelopSettings& options) {
         ->option_text("FILE");
     command
         .add_option("--curve", options.curve,
-                    "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
+                    "CSV of the operator's luminance curve for this picture (local ones: of large areas): cd/m^2, "
+                    "display luminance")
         ->option_text("FILE");
     command.add_flag("--list-tonemaps", options.list_tonemaps, "Print every operator, and end");
     command.add_flag("--list-adaptations", options.list_adaptations,

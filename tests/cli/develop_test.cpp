@@ -100,6 +100,17 @@ TEST(Develop, WritesTheCurve) {
     EXPECT_EQ(lines.back(), "64,2");
 }
 
+TEST(Develop, CurveOfALocalOperatorSaysWhatItHoldsFor) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), csv = folder.file("curve.csv");
+    EXPECT_EQ(run_program({"develop", exr, "--curve", csv, "--tonemap", "durand"}).exit_code, 0);
+    const std::vector<std::string> lines = lines_of(read_text(csv));
+    ASSERT_GE(lines.size(), 5u);
+    EXPECT_THAT(lines[0], StartsWith("# durand:contrast=50 adapted to bilateral"));
+    EXPECT_THAT(lines[2], StartsWith("# holds for large areas of a luminance"));
+    EXPECT_EQ(lines[3], "luminance_cdm2,display_luminance");
+}
+
 TEST(Develop, DrawsTheContactSheetBesideThePicture) {
     const TemporaryFolder folder;
     const std::string exr = write_ramp(folder);
