@@ -238,8 +238,8 @@ TEST_P(EveryToneMapperAt, OutlierIsNotSeenFromFarUnderAnyLocalAdaptation) {
             const Image<XYZ> without = tone_map(mapping, scene.view(), kWhite, 1).image;
             scene(outlier_x, outlier_y) = grey(1e30f);
             const Image<XYZ> with = tone_map(mapping, scene.view(), kWhite, 1).image;
-            for (int y = 0; y < height; ++y) {
-                for (int x = outlier_x + 9; x < width; ++x) {
+            for (int y = 0; y < scene.height(); ++y) {
+                for (int x = outlier_x + 9; x < scene.width(); ++x) {
                     ASSERT_NEAR(shown(with(x, y)), shown(without(x, y)), 1.0f / 255.0f) << to_text(*mapping.adaptation);
                 }
             }
