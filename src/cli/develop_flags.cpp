@@ -51,7 +51,8 @@ void add_choice_options(CLI::App& command, DevelopSettings& settings) {
         ->option_text("FILE");
     command
         .add_option("--curve", settings.curve,
-                    "CSV of the operator's luminance curve for this picture: cd/m^2, display luminance")
+                    "CSV of the operator's luminance curve for this picture (local ones: of large areas): cd/m^2, "
+                    "display luminance")
         ->option_text("FILE");
     command.add_flag("--list-tonemaps", settings.list_tonemaps, "Print every operator, and end");
     command.add_flag("--list-adaptations", settings.list_adaptations,

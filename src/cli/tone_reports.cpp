@@ -70,9 +70,11 @@ void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& picture, const ToneMapping& mapping, int threads) {
-    std::string text =
-        fmt::format("# {} adapted to {}\n# display luminance 1 is display white\n", to_text(mapping.mapper),
-                    to_text(mapping.adaptation ? *mapping.adaptation : own_adaptation(mapping.mapper)));
+    const Adaptation adaptation = mapping.adaptation ? *mapping.adaptation : own_adaptation(mapping.mapper);
+    std::string text = fmt::format("# {} adapted to {}\n# display luminance 1 is display white\n",
+                                   to_text(mapping.mapper), to_text(adaptation));
+    if (is_local(adaptation))
+        text += "# holds for large areas of a luminance: smaller ones depend on their surroundings\n";
     text += "luminance_cdm2,display_luminance\n";
     for (const CurvePoint& point : tone_curve(mapping, picture.view(), threads)) {
         text += fmt::format("{:.9g},{:.9g}\n", point.luminance_cdm2, point.display_luminance);

@@ -71,13 +71,31 @@ constexpr void for_each_alternative(Visitor&& visitor) {
 /// The same of the whole value: "transfer table".
 [[nodiscard]] std::string named_label(std::string_view kind, std::string_view name);
 
+/// The word of `special` that a parameter's value stands for; empty if it is a number. Out of line for the reason that
+/// parameter_text() gives.
+template <NamedValue T>
+[[nodiscard, gnu::noinline]] std::string_view special_word(const T& value, const Parameter<T>& parameter) {
+    const auto word_of = [&]<class M>(M T::*member) -> std::string_view {
+        for (const ParameterWord& choice : parameter.special) {
+            if (value.*member == static_cast<M>(choice.value)) return choice.word;
+        }
+        return {};
+    };
+    return std::visit(word_of, parameter.member);
+}
+
 /// \throws std::invalid_argument naming type, parameter, value and range, for the first parameter out of its range.
 /// `kind` is the role of the value, as in parse_named.
 template <NamedValue T>
 void validate_named(const T& value, std::string_view kind = "") {
     for (const Parameter<T>& parameter : parameters_of<T>()) {
         const std::string what = parameter_label(kind, T::kName, parameter.name);
-        std::visit([&](auto member) { check_range(value.*member, parameter.range, what); }, parameter.member);
+        if (special_word(value, parameter).empty()) {
+            const auto check = [&](auto member) {
+                check_range(value.*member, parameter.range, what, parameter.special);
+            };
+            std::visit(check, parameter.member);
+        }
         if (parameter.words.empty()) continue;
         std::visit([&](auto member) { check_word(static_cast<int>(value.*member), parameter.words, what); },
                    parameter.member);
@@ -97,8 +115,8 @@ template <NamedValue T>
         for (const ParameterWord& choice : parameter.words) {
             if (static_cast<int>(value.*member) == choice.value) return std::string(choice.word);
         }
-        const bool is_word = !parameter.zero_word.empty() && value.*member == 0;
-        return is_word ? std::string(parameter.zero_word) : number_text(value.*member);
+        const std::string_view special = special_word(value, parameter);
+        return special.empty() ? number_text(value.*member) : std::string(special);
     };
     return std::visit(text_of, parameter.member);
 }
@@ -143,10 +161,10 @@ template <NamedVariant Variant>
         static const T defaults{};  // GCC 12 takes a temporary for uninitialised: no type has members of all types
         NamedValueDescription description{T::kName, T::kHelp, {}};
         for (const Parameter<T>& parameter : parameters_of<T>()) {
-            description.parameters.push_back({parameter.name, parameter_text(defaults, parameter),
-                                              parameter.words.empty() ? range_text(parameter.range, parameter.zero_word)
-                                                                      : range_text(parameter.words),
-                                              parameter.unit, parameter.help});
+            description.parameters.push_back(
+                {parameter.name, parameter_text(defaults, parameter),
+                 parameter.words.empty() ? range_text(parameter.range, parameter.special) : range_text(parameter.words),
+                 parameter.unit, parameter.help});
         }
         all.push_back(std::move(description));
     });
@@ -168,7 +186,7 @@ struct NamedText {
 [[noreturn]] void throw_unknown_name(std::string_view what, std::string_view name, std::vector<std::string_view> known);
 
 /// The reverse of parameter_text(); `what` names the parameter in messages. Out of line for the same reason.
-/// \throws std::invalid_argument as parse_number().
+/// \throws std::invalid_argument as parse_number() and check_range(): a number that stands for a word is no number.
 template <NamedValue T>
 [[gnu::noinline]] void read_parameter(std::string_view text, std::string_view what, T& value,
                                       const Parameter<T>& parameter) {
@@ -177,9 +195,16 @@ template <NamedValue T>
         std::visit([&]<class M>(M T::*member) { value.*member = static_cast<M>(choice); }, parameter.member);
         return;
     }
-    const bool is_word = !parameter.zero_word.empty() && name_key(text) == name_key(parameter.zero_word);
-    std::visit([&](auto member) { is_word ? void(value.*member = 0) : parse_number(text, what, value.*member); },
-               parameter.member);
+    for (const ParameterWord& choice : parameter.special) {
+        if (name_key(text) != name_key(choice.word)) continue;
+        std::visit([&]<class M>(M T::*member) { value.*member = static_cast<M>(choice.value); }, parameter.member);
+        return;
+    }
+    const auto read_number = [&](auto member) {
+        parse_number(text, what, value.*member);
+        check_range(value.*member, parameter.range, what, parameter.special);
+    };
+    std::visit(read_number, parameter.member);
 }
 
 /// Points as x=y; `label` names the value in messages. \throws std::invalid_argument as parse_number().

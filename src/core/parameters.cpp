@@ -35,9 +35,21 @@ void parse_whole_text(std::string_view text, std::string_view what, T& value) {
     value = parsed;
 }
 
-void check(double value, const std::string& value_text, const ParameterRange& range, std::string_view what) {
+std::string joined(std::span<const ParameterWord> words) {
+    std::string text;
+    for (const ParameterWord& choice : words) {
+        if (!text.empty()) text += ", ";
+        text += choice.word;
+    }
+    return text;
+}
+
+void check(double value, const std::string& value_text, const ParameterRange& range, std::string_view what,
+           std::span<const ParameterWord> special) {
     if (range.contains(value)) return;
-    throw std::invalid_argument(std::string(what) + " = " + value_text + ": must be in " + to_text(range));
+    const std::string others = special.empty() ? "" : joined(special) + " or ";
+    throw std::invalid_argument(std::string(what) + " = " + value_text + ": must be " + others + "in " +
+                                to_text(range));
 }
 
 }  // namespace
@@ -47,21 +59,11 @@ std::string to_text(const ParameterRange& range) {
            shortest_text(range.max) + (range.max_end == RangeEnd::closed ? "]" : ")");
 }
 
-std::string range_text(const ParameterRange& range, std::string_view zero_word) {
-    if (zero_word.empty()) return to_text(range);
-    ParameterRange without_zero = range;
-    without_zero.min_end = RangeEnd::open;
-    return std::string(zero_word) + " or " + to_text(without_zero);
+std::string range_text(const ParameterRange& range, std::span<const ParameterWord> special) {
+    return special.empty() ? to_text(range) : joined(special) + " or " + to_text(range);
 }
 
-std::string range_text(std::span<const ParameterWord> words) {
-    std::string text = "{";
-    for (const ParameterWord& choice : words) {
-        if (text.size() > 1) text += ", ";
-        text += choice.word;
-    }
-    return text + '}';
-}
+std::string range_text(std::span<const ParameterWord> words) { return '{' + joined(words) + '}'; }
 
 std::string number_text(float value) { return shortest_text(value); }
 std::string number_text(double value) { return shortest_text(value); }
@@ -71,14 +73,17 @@ void parse_number(std::string_view text, std::string_view what, float& value) { 
 void parse_number(std::string_view text, std::string_view what, double& value) { parse_whole_text(text, what, value); }
 void parse_number(std::string_view text, std::string_view what, int& value) { parse_whole_text(text, what, value); }
 
-void check_range(float value, const ParameterRange& range, std::string_view what) {
-    check(static_cast<double>(value), number_text(value), range, what);
+void check_range(float value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special) {
+    check(static_cast<double>(value), number_text(value), range, what, special);
 }
-void check_range(double value, const ParameterRange& range, std::string_view what) {
-    check(value, number_text(value), range, what);
+void check_range(double value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special) {
+    check(value, number_text(value), range, what, special);
 }
-void check_range(int value, const ParameterRange& range, std::string_view what) {
-    check(static_cast<double>(value), number_text(value), range, what);
+void check_range(int value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special) {
+    check(static_cast<double>(value), number_text(value), range, what, special);
 }
 
 int parse_word(std::string_view text, std::string_view what, std::span<const ParameterWord> words) {

@@ -13,6 +13,7 @@
 //
 // The default is the member's own initialiser. A type without data members needs no table.
 
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
@@ -43,8 +44,6 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr ParameterRange kFinite = {-kInfinity, kInfinity, RangeEnd::open, RangeEnd::open};
 inline constexpr ParameterRange kPositiveFinite = {0.0, kInfinity, RangeEnd::open, RangeEnd::open};
 inline constexpr ParameterRange kPositive = {0.0, kInfinity, RangeEnd::open, RangeEnd::closed};  ///< or infinite
-inline constexpr ParameterRange kNotNegativeFinite = {0.0, kInfinity, RangeEnd::closed, RangeEnd::open};
-inline constexpr ParameterRange kNotNegative = {0.0, kInfinity, RangeEnd::closed, RangeEnd::closed};  ///< or infinite
 
 /// A value of a parameter that stands for a choice, and the word that it is written as.
 struct ParameterWord {
@@ -52,16 +51,20 @@ struct ParameterWord {
     int value;
 };
 
+/// For a parameter above 0.
+inline constexpr std::array kAutomatic = {ParameterWord{"auto", 0}};
+
 /// One parameter of the value type T.
 template <class T>
 struct Parameter {
     std::string_view name;  ///< as written in text forms: lower case, words joined by '-'
     std::variant<float T::*, double T::*, int T::*> member;  ///< where it is kept
-    ParameterRange range;                                    ///< the values that it may have
+    ParameterRange range;                                    ///< the numbers that it may be
     std::string_view unit;                                   ///< "cd/m^2", "px"; empty if it has none
     std::string_view help;                                   ///< one line, no full stop
-    /// How 0 is written, where it is no number but stands for a choice: "auto". It is then the least of the range.
-    std::string_view zero_word = {};
+    /// What it may be beside the numbers of the range: values outside of it that stand for choices, and are written as
+    /// words only: kAutomatic.
+    std::span<const ParameterWord> special = {};
     /// Where the values are a few choices, all of them; the range then is that of their values.
     std::span<const ParameterWord> words = {};
 };
@@ -79,8 +82,8 @@ struct ParameterDescription {
 /// "(0, inf]", "[1, 16]": round brackets leave the end out, square ones take it in.
 [[nodiscard]] std::string to_text(const ParameterRange& range);
 
-/// The same where 0 is written as a word: "auto or (0, 1]", the range being [0, 1].
-[[nodiscard]] std::string range_text(const ParameterRange& range, std::string_view zero_word);
+/// The same where words stand beside the range: "auto, max or (0, 1]".
+[[nodiscard]] std::string range_text(const ParameterRange& range, std::span<const ParameterWord> special);
 
 /// The choices where a parameter has words: "{2, 4, 8}".
 [[nodiscard]] std::string range_text(std::span<const ParameterWord> words);
@@ -97,10 +100,14 @@ void parse_number(std::string_view text, std::string_view what, float& value);
 void parse_number(std::string_view text, std::string_view what, double& value);
 void parse_number(std::string_view text, std::string_view what, int& value);
 
-/// \throws std::invalid_argument naming `what`, the value and the range, unless the range contains the value.
-void check_range(float value, const ParameterRange& range, std::string_view what);
-void check_range(double value, const ParameterRange& range, std::string_view what);
-void check_range(int value, const ParameterRange& range, std::string_view what);
+/// \throws std::invalid_argument naming `what`, the value and the range, unless the range contains the value. The words
+/// that might have stood there are named before the range: "must be auto or in (0, 1]".
+void check_range(float value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special = {});
+void check_range(double value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special = {});
+void check_range(int value, const ParameterRange& range, std::string_view what,
+                 std::span<const ParameterWord> special = {});
 
 /// The choice that `text` is the word of. \throws std::invalid_argument naming `what` and the words, if there is none.
 [[nodiscard]] int parse_word(std::string_view text, std::string_view what, std::span<const ParameterWord> words);

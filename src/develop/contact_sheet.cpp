@@ -61,8 +61,9 @@ std::vector<ContactTile> exposure_tiles(double white_cdm2) {
     check_range(white_cdm2, {1e-30, 1e30}, "white_cdm2");
     std::vector<ContactTile> tiles;
     for (const double times : {10.0, 1.0, 0.1}) {
-        const ToneMapper mapper = FixedWhite{.white = static_cast<float>(times * white_cdm2)};
-        tiles.push_back({{.mapper = mapper}, to_text(mapper)});
+        const FixedWhite fixed{.white = static_cast<float>(times * white_cdm2)};
+        // Without the scale, which is 1: a label that is wider than its tile would leave a gap beside it.
+        tiles.push_back({{.mapper = fixed}, std::string(FixedWhite::kName) + ":white=" + number_text(fixed.white)});
     }
     return tiles;
 }

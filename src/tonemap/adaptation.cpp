@@ -24,7 +24,7 @@ AdaptationLuminance adapt(const Adaptation& adaptation, ImageView<const XYZ> sce
         if constexpr (GlobalAdaptation<T>) {
             return {.uniform_cdm2 = adaptation_cdm2(chosen, scene, luminance, threads)};
         } else {
-            return {.uniform_cdm2 = luminance.statistics().log_average_cdm2,
+            return {.uniform_cdm2 = luminance.log_average_cdm2(),
                     .local = local_luminance(chosen, relative_luminance<float>(scene, luminance, threads), threads)};
         }
     };
@@ -37,7 +37,7 @@ BasicAdaptationLuminance<double> adapt_reference(const Adaptation& adaptation, I
         if constexpr (GlobalAdaptation<T>) {
             return {.uniform_cdm2 = adaptation_cdm2(chosen, scene, luminance, 1)};
         } else {
-            return {.uniform_cdm2 = luminance.statistics().log_average_cdm2,
+            return {.uniform_cdm2 = luminance.log_average_cdm2(),
                     .local = local_luminance_reference(chosen, relative_luminance<double>(scene, luminance, 1))};
         }
     };

@@ -8,8 +8,9 @@ namespace emulsion {
 /// T: float, or double for the twins.
 template <class T>
 struct BasicAdaptationLuminance {
-    double uniform_cdm2 = 0.0;  ///< of the whole picture; where each pixel has its own, the log-average
-    Image<T> local = {};        ///< of each pixel over the picture's log-average, >= 0; empty: uniform_cdm2 for all
+    double uniform_cdm2 =
+        0.0;              ///< of the whole picture; where each pixel has its own, the log-average of SceneLuminance
+    Image<T> local = {};  ///< of each pixel over uniform_cdm2, >= 0; empty: uniform_cdm2 for all
 };
 using AdaptationLuminance = BasicAdaptationLuminance<float>;
 

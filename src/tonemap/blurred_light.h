@@ -1,5 +1,9 @@
 #pragma once
-// Gaussian blurs of a few pixels, by direct sums along rows and columns, the picture being mirrored at its edges.
+// Gaussian blurs of a few pixels, by direct sums along rows and columns, the picture being mirrored at its edges. For
+// lobes of a kernel (scatter.h), of which twins take the values at pixel centres: so do the weights here, and add just
+// their variance to what the pyramid has blurred already. Those of gaussian_kernel.h and gaussian_rows.h, for means
+// over neighbourhoods, are integrated over pixels, which adds 1/12 px^2, as centre-surround needs them to sum to 1; and
+// they keep one channel blurred in several ways apart, where here several channels are added up.
 
 #include <span>
 #include <vector>

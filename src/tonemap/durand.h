@@ -20,7 +20,7 @@ namespace emulsion {
 struct Durand {
     static constexpr std::string_view kName = "durand";
     static constexpr std::string_view kHelp = "bilateral base with less contrast, details kept";
-    static constexpr OperatorTraits kTraits = {.monotone = Monotone::locally};
+    static constexpr OperatorTraits kTraits = {.unit = UnitOfLuminance::nearly_cancels, .monotone = Monotone::locally};
     float contrast = 50.0f;  ///< of the base between its brightest and its darkest; finite, >= 1
     bool operator==(const Durand&) const = default;
 

@@ -43,12 +43,15 @@ class BrightnessCurve {
 };
 
 /// ln Ld = ln black + (ln peak - ln black) P(ln Y), black = peak / contrast, P being the cumulative distribution of ln
-/// Y over the robust range, in bins of an eighth of an octave. Counts above the ceiling are trimmed until a
-/// pass trims no more than 0.5 % of what it leaves, so that no slope is above the ceiling by more than that. None if
-/// (nearly) nothing is left: under that ceiling the picture needs less than the display's range. It has positive
-/// pixels. Departs from the paper in its samples, which are averages of 1 degree of the visual field (pictures here do
-/// not say how large they are seen), in its 100 bins and its tolerance of 2.5 % of all samples, and in that a
-/// thousandth of all counts is spread evenly over the range: else nothing would be left of two luminances far apart.
+/// Y over the robust range, each luminance spread over a triangle that reaches a fifth of an octave to either side,
+/// and what lies beyond the range put at its ends. Counts above the ceiling are trimmed until a pass trims no more than
+/// 0.5 % of what it leaves, so that no slope is above the ceiling by more than that. None if (nearly) nothing is left:
+/// under that ceiling the picture needs less than the display's range. It has positive pixels. Departs from the paper
+/// in its samples, which are averages of 1 degree of the visual field (pictures here do not say how large they are
+/// seen); in its 100 bins, of which it depends on the unit where they begin, and so what is trimmed of luminances that
+/// lie close together (over six decades they are as wide as the triangle is at half its height); in its tolerance
+/// of 2.5 % of all samples; and in that a thousandth of all counts is spread evenly over the range: else nothing would
+/// be left of two luminances far apart.
 [[nodiscard]] std::optional<BrightnessCurve> adjusted_histogram(const SceneLuminance& luminance,
                                                                 const DisplayRange& display,
                                                                 const ContrastCeiling& ceiling);

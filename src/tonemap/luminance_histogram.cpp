@@ -23,8 +23,9 @@ double LuminanceHistogram::mean(int bin) const noexcept {
 }
 
 double LuminanceHistogram::lower_end(int bin) noexcept {
-    if (bin == kBins) return 0x1p128;
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bin) << kShift);
+    // Bits of a double: an exponent, and 5 bits of its significand.
+    constexpr std::uint64_t kExponentOfLeast = 1023 - 149;
+    return std::bit_cast<double>((kExponentOfLeast * kBinsPerOctave + static_cast<std::uint64_t>(bin)) << (52u - 5u));
 }
 
 double LuminanceHistogram::value_of_rank(double rank) const noexcept {

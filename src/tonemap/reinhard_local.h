@@ -19,13 +19,13 @@ namespace emulsion {
 struct ReinhardLocal {
     static constexpr std::string_view kName = "reinhard-local";
     static constexpr std::string_view kHelp = "photographic tone reproduction with automatic dodging and burning";
-    static constexpr OperatorTraits kTraits = {.monotone = Monotone::locally};
+    static constexpr OperatorTraits kTraits = {.unit = UnitOfLuminance::nearly_cancels, .monotone = Monotone::locally};
     float key = 0.18f;  ///< L given to the log-average; finite, > 0, or 0: photographic_key()
     bool operator==(const ReinhardLocal&) const = default;
 
     static constexpr std::array kParameters = {Parameter<ReinhardLocal>{
-        "key", &ReinhardLocal::key, kNotNegativeFinite, "",
-        "scaled luminance given to the log-average, larger is brighter; auto: from the range", "auto"}};
+        "key", &ReinhardLocal::key, kPositiveFinite, "",
+        "scaled luminance given to the log-average, larger is brighter; auto: from the range", kAutomatic}};
 };
 
 [[nodiscard]] Adaptation own_adaptation(const ReinhardLocal& mapper) noexcept;

@@ -112,7 +112,7 @@ bool narrow_relative_row(std::span<const XYZ> in, double per_cdm2, double least_
 
 template <class T>
 Image<T> relative_luminance(ImageView<const XYZ> scene, const SceneLuminance& luminance, int threads) {
-    const double unit = luminance.statistics().log_average_cdm2, least_outlier = luminance.least_outlier_cdm2();
+    const double unit = luminance.log_average_cdm2(), least_outlier = luminance.least_outlier_cdm2();
     Image<T> result(scene.width(), scene.height());
     parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<T> out = result.row(y);

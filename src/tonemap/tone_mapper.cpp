@@ -92,7 +92,7 @@ std::vector<CurvePoint> tone_curve(const ToneMapping& mapping, ImageView<const X
     const Adaptation adaptation = chosen_adaptation(mapping);
     const bool local = is_local(adaptation);
     const double picture_cdm2 =
-        local ? luminance.statistics().log_average_cdm2 : adapt(adaptation, scene, luminance, threads).uniform_cdm2;
+        local ? luminance.log_average_cdm2() : adapt(adaptation, scene, luminance, threads).uniform_cdm2;
     const ToneReproduction reproduction = prepare(mapping.mapper, luminance, picture_cdm2);
 
     const double least = luminance.statistics().min_positive_cdm2,
@@ -111,7 +111,7 @@ Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> 
     const SceneLuminance luminance(scene, luminance_statistics_reference(scene), 1);
     Image<XYZd> display(scene.width(), scene.height());
     const bool is_black = luminance.statistics().counts.positive == 0;
-    const double unit = luminance.statistics().log_average_cdm2, least = luminance.statistics().min_positive_cdm2;
+    const double least = luminance.statistics().min_positive_cdm2;
     BasicAdaptationLuminance<double> adaptation;
     if (!is_black) adaptation = adapt_reference(chosen_adaptation(mapping), scene, luminance);
     ToneReproduction reproduction;
@@ -123,7 +123,8 @@ Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> 
                 continue;
             }
             const bool is_local = adaptation.local.width() > 0;
-            const double here = is_local ? std::max(adaptation.local(x, y) * unit, least) : adaptation.uniform_cdm2;
+            const double uniform = adaptation.uniform_cdm2;
+            const double here = is_local ? std::max(adaptation.local(x, y) * uniform, least) : uniform;
             const auto scale = [&](double luminance_cdm2) { return reproduction.scale(luminance_cdm2, here); };
             display(x, y) = scaled_pixel(scene(x, y), display_white, scale);
         }

@@ -48,12 +48,12 @@ MapStretch reproduce_globally(const ToneReproduction& reproduction, const Lumina
 /// An adaptation for each pixel, held above the least positive luminance of the picture.
 class LocalReproduction {
   public:
-    LocalReproduction(ToneReproduction reproduction, const LuminanceStatistics& statistics, Image<float> local,
-                      const XYZ& display_white, int threads)
+    LocalReproduction(ToneReproduction reproduction, const LuminanceStatistics& statistics,
+                      AdaptationLuminance adaptation, const XYZ& display_white, int threads)
         : reproduction_(std::move(reproduction)),
-          local_(std::move(local)),
+          local_(std::move(adaptation.local)),
           display_white_(display_white),
-          unit_(statistics.log_average_cdm2),
+          unit_(adaptation.uniform_cdm2),
           least_(statistics.min_positive_cdm2 / unit_),
           exposures_([&](double relative) { return reproduction_.exposure(adaptation_cdm2(relative)); }, least_,
                      statistics.max_cdm2 / unit_, threads) {
@@ -98,7 +98,7 @@ MapStretch reproduce(const ToneReproduction& reproduction, const LuminanceStatis
     if (adaptation.local.width() == 0) {
         return reproduce_globally(reproduction, statistics, adaptation.uniform_cdm2, display_white, threads);
     }
-    const auto local = std::make_shared<const LocalReproduction>(reproduction, statistics, std::move(adaptation.local),
+    const auto local = std::make_shared<const LocalReproduction>(reproduction, statistics, std::move(adaptation),
                                                                  display_white, threads);
     return [local](int y, int x0, auto scene, auto display) { (*local)(y, x0, scene, display); };
 }

@@ -45,11 +45,11 @@ struct HumanVision {
 /// The first is the default. core/named_value.h prints, parses and lists them.
 using Vision = std::variant<NoVision, HumanVision>;
 
-/// Bad pixels (pixel_class.h) stay as they are, and others do not know of them; a pixel of 1e30 cd/m^2 veils the whole
-/// picture, though: that is the method. Cost grows with the number of pixels
-/// only; memory besides the result: one picture at most.
-/// The same bits for every number of threads (0: all).
-/// \throws std::invalid_argument if a parameter is out of its range, the picture is empty, or threads < 0.
+/// Bad pixels (pixel_class.h) stay as they are, and others do not know of them: a negative one comes out of tone
+/// mapping black, without the veil that lies over its neighbours, so that it can be seen where it is. A pixel of 1e30
+/// cd/m^2 veils the whole picture, though: that is the method. Cost grows with the number of pixels only; memory
+/// besides the result: one picture at most. The same bits for every number of threads (0: all). \throws
+/// std::invalid_argument if a parameter is out of its range, the picture is empty, or threads < 0.
 [[nodiscard]] Image<XYZ> see(const Vision& vision, ImageView<const XYZ> scene, int threads);
 
 /// The double-precision twin.

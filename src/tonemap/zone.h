@@ -28,9 +28,9 @@ struct ZoneSystem {
     bool operator==(const ZoneSystem&) const = default;
 
     static constexpr std::array kParameters = {
-        Parameter<ZoneSystem>{"grey", &ZoneSystem::grey, kNotNegativeFinite, "cd/m^2",
+        Parameter<ZoneSystem>{"grey", &ZoneSystem::grey, kPositiveFinite, "cd/m^2",
                               "luminance to be placed; auto: the adaptation luminance, as of --adaptation spot",
-                              "auto"},
+                              kAutomatic},
         Parameter<ZoneSystem>{
             "zone", &ZoneSystem::zone, {0.0, 7.0}, "", "zone that it is placed on, 5 is middle grey"}};
 };

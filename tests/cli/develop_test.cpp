@@ -54,6 +54,7 @@ TEST(Develop, ListsAnOperatorsOwnAdaptationAndSaysWhereThereIsNoUnit) {
             list, HasSubstr(std::string(mapper.kHelp) + "\n    adapted to: " + to_text(own_adaptation(mapper)) + '\n'));
     });
     EXPECT_THAT(list, HasSubstr("\n    key  [default: 0.18; range: auto or (0, inf); unit: none]\n"));
+    EXPECT_THAT(list, HasSubstr("\n    white  [default: inf; range: auto, max or (0, inf]; unit: none]\n"));
     EXPECT_THAT(run_program({"develop", "--list-adaptations"}).out,
                 HasSubstr("\n    contrast  [default: 0.5; range: (0, 10]; unit: none]\n"));
 }
@@ -69,6 +70,17 @@ TEST(Develop, WritesTheCurve) {
     EXPECT_EQ(lines[2], "luminance_cdm2,display_luminance");
     EXPECT_EQ(lines[3], "1,0.03125");
     EXPECT_EQ(lines.back(), "64,2");
+}
+
+TEST(Develop, CurveOfALocalOperatorSaysWhatItHoldsFor) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), csv = folder.file("curve.csv");
+    EXPECT_EQ(run_program({"develop", exr, "--curve", csv, "--tonemap", "durand"}).exit_code, 0);
+    const std::vector<std::string> lines = lines_of(read_text(csv));
+    ASSERT_GE(lines.size(), 5u);
+    EXPECT_THAT(lines[0], StartsWith("# durand:contrast=50 adapted to bilateral"));
+    EXPECT_THAT(lines[2], StartsWith("# holds for large areas of a luminance"));
+    EXPECT_EQ(lines[3], "luminance_cdm2,display_luminance");
 }
 
 TEST(Develop, DrawsTheContactSheetBesideThePicture) {

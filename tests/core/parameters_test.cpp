@@ -137,47 +137,72 @@ TEST(NamedValue, EveryDoubleSurvivesItsText) {
 
 struct Automatic {
     static constexpr std::string_view kName = "automatic";
-    static constexpr std::string_view kHelp = "parameters whose 0 has a name";
+    static constexpr std::string_view kHelp = "parameters that may be words";
     float width = 0.0f;
     int count = 4;
     bool operator==(const Automatic&) const = default;
 
+    static constexpr std::array kCounts = {ParameterWord{"none", 0}, ParameterWord{"every", -1}};
     static constexpr std::array kParameters = {
-        Parameter<Automatic>{"width", &Automatic::width, kNotNegativeFinite, "px", "how wide", "auto"},
-        Parameter<Automatic>{"count", &Automatic::count, {0.0, 9.0}, "", "how many", "none"}};
+        Parameter<Automatic>{"width", &Automatic::width, kPositiveFinite, "px", "how wide", kAutomatic},
+        Parameter<Automatic>{"count", &Automatic::count, {1.0, 9.0}, "", "how many", kCounts}};
 };
 using AutomaticAlone = std::variant<Automatic>;
 
-TEST(NamedValue, ZeroIsWrittenAsItsWord) {
+TEST(NamedValue, SpecialValuesAreWrittenAsTheirWords) {
     EXPECT_EQ(to_text(Automatic{}), "automatic:width=auto,count=4");
     EXPECT_EQ(to_text(Automatic{2.5f, 0}), "automatic:width=2.5,count=none");
-    EXPECT_EQ(to_text(Automatic{-0.0f, 0}), "automatic:width=auto,count=none");
+    EXPECT_EQ(to_text(Automatic{-0.0f, -1}), "automatic:width=auto,count=every");
 }
 
-TEST(NamedValue, ZeroIsReadFromItsWordOrItsNumber) {
+TEST(NamedValue, SpecialValuesAreReadFromTheirWords) {
     const auto read = [](std::string_view text) { return parse_named<AutomaticAlone>(text, "thing"); };
     EXPECT_EQ(read("automatic:width=auto,count=none"), AutomaticAlone(Automatic{0.0f, 0}));
     EXPECT_EQ(read("automatic:width=AUTO"), AutomaticAlone(Automatic{0.0f, 4}));
-    EXPECT_EQ(read("automatic:width=0,count=0"), AutomaticAlone(Automatic{0.0f, 0}));
-    EXPECT_EQ(read("automatic:width=3"), AutomaticAlone(Automatic{3.0f, 4}));
+    EXPECT_EQ(read("automatic:width=3,count=Every"), AutomaticAlone(Automatic{3.0f, -1}));
+    EXPECT_NO_THROW(validate_named(Automatic{0.0f, -1}, "thing"));
+}
+
+/// What reading or validating says when it fails.
+template <class Call>
+std::string refusal(Call&& call) {
+    try {
+        call();
+        return "";
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+// 0 is how a value keeps "auto", and no number that one may write.
+TEST(NamedValue, NumbersOfSpecialValuesAreRefused) {
+    const auto read = [](const char* text) {
+        return refusal([&] { (void)parse_named<AutomaticAlone>(text, "thing"); });
+    };
+    EXPECT_EQ(read("automatic:width=0"), "thing automatic: width = 0: must be auto or in (0, inf)");
+    EXPECT_EQ(read("automatic:width=-0"), "thing automatic: width = -0: must be auto or in (0, inf)");
+    EXPECT_EQ(read("automatic:width=-1"), "thing automatic: width = -1: must be auto or in (0, inf)");
+    EXPECT_EQ(read("automatic:count=0"), "thing automatic: count = 0: must be none, every or in [1, 9]");
+    EXPECT_EQ(read("automatic:count=-1"), "thing automatic: count = -1: must be none, every or in [1, 9]");
+    EXPECT_EQ(refusal([] {
+                  validate_named(Automatic{-1.0f, 4}, "thing");
+              }),
+              "thing automatic: width = -1: must be auto or in (0, inf)");
 }
 
 TEST(NamedValue, WordOfAnotherParameterIsNoNumber) {
     EXPECT_THAT([] { (void)parse_named<AutomaticAlone>("automatic:width=none", "thing"); },
                 ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = \"none\": not a number")));
-    EXPECT_THAT([] { (void)parse_named<AutomaticAlone>("automatic:width=-1", "thing"); },
-                ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = -1: must be in [0, inf)")));
     EXPECT_EQ(message_of("blur:radius=auto"), "effect blur: radius = \"auto\": not a number");
 }
 
-TEST(NamedValue, DescribesTheWordForZero) {
+TEST(NamedValue, DescribesSpecialWords) {
     const auto all = describe_named<AutomaticAlone>();
     ASSERT_EQ(all.size(), 1u);
     EXPECT_THAT(all[0].parameters,
                 ElementsAre(ParameterDescription{"width", "auto", "auto or (0, inf)", "px", "how wide"},
-                            ParameterDescription{"count", "4", "none or (0, 9]", "", "how many"}));
-    EXPECT_EQ(range_text({0.0, 1.0}, "auto"), "auto or (0, 1]");
-    EXPECT_EQ(range_text({0.0, 1.0}, ""), "[0, 1]");
+                            ParameterDescription{"count", "4", "none, every or [1, 9]", "", "how many"}));
+    EXPECT_EQ(range_text({0.0, 1.0}, {}), "[0, 1]");
 }
 
 constexpr std::array kSizes = {ParameterWord{"2", 2}, ParameterWord{"8", 8}, ParameterWord{"every", 0}};

@@ -57,8 +57,8 @@ TEST(ContactSheet, StripOfExposuresStandsInOneRow) {
     for (XYZ& pixel : scene.pixels()) pixel = {2.0f * 0.9505f, 2.0f, 2.0f * 1.089f};
     const std::vector<ContactTile> tiles = exposure_tiles(4.0);
     ASSERT_EQ(tiles.size(), 3u);
-    EXPECT_EQ(tiles[0].label, "fixed:white=40,scale=1");
-    EXPECT_EQ(tiles[2].label, "fixed:white=0.4,scale=1");
+    EXPECT_EQ(tiles[0].label, "fixed:white=40");
+    EXPECT_EQ(tiles[2].label, "fixed:white=0.4");
     const Image<CodeRGB> sheet = contact_sheet(scene, {.dither = NoDither{}}, tiles, 32, 1);
     EXPECT_LT(sheet.height(), 3 * 32);  // a second row would need 3 times 32 and two labels
     // sRGB of 0.05 is 63.2, of 0.5 187.5.

@@ -43,8 +43,10 @@ template <class T>
 void draw(const Parameter<T>& parameter, Pcg32& random, T& value) {
     std::visit(
         [&]<class M>(M T::*member) {
-            if (parameter.words.empty()) return draw(parameter.range, random, value.*member);
-            value.*member = static_cast<M>(parameter.words[random.next() % parameter.words.size()].value);
+            const bool is_special = !parameter.special.empty() && random.next() % 4 == 0;
+            const auto words = is_special ? parameter.special : parameter.words;
+            if (words.empty()) return draw(parameter.range, random, value.*member);
+            value.*member = static_cast<M>(words[random.next() % words.size()].value);
         },
         parameter.member);
 }
@@ -190,7 +192,8 @@ TEST(Pipeline, WrongTextsNameWhatIsRight) {
               "scene-white, display, gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
-    EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");
+    EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"),
+              "tonemap reinhard-global: key = -1: must be auto or in (0, inf)");
     EXPECT_EQ(message_of("bits=17"), "bits = 17: must be in [1, 16]");
     EXPECT_EQ(message_of("bits=x"), "bits = \"x\": not a whole number");
     EXPECT_EQ(message_of("dither"), "pipeline: found \"dither\", expected stage=value");
@@ -217,7 +220,7 @@ TEST(Pipeline, ValidateNamesTheStage) {
     pipeline = {};
     pipeline.tone_mapper = ReinhardGlobal{-1.0f};
     EXPECT_THAT([&] { validate(pipeline); }, testing::ThrowsMessage<std::invalid_argument>(
-                                                 "tonemap reinhard-global: key = -1: must be in [0, inf)"));
+                                                 "tonemap reinhard-global: key = -1: must be auto or in (0, inf)"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -91,6 +92,13 @@ inline std::pair<float, float> differences(const Image<XYZ>& a, const Image<XYZ>
         if (before.y != after.y) relative = std::max(relative, std::abs(after.y - before.y) / before.y);
     }
     return {of_shown, relative};
+}
+
+/// How far a bad pixel or an outlier moves any other pixel at most, as displayed: of the operator's own adaptation, in
+/// pictures of a thousand pixels or more, away from the edges. reinhard-local looks closest: what noise there was at
+/// the pixel shows in whether its neighbours' scales are taken.
+inline float most_move(const ToneMapper& mapper) noexcept {
+    return (std::holds_alternative<ReinhardLocal>(mapper) ? 3.0f : 2.0f) / 255.0f;
 }
 
 /// The operator's name, as names of tests have it.

@@ -47,7 +47,7 @@ TEST(HistogramAdjustment, EvenHistogramIsAPowerOfLuminance) {
         EXPECT_NEAR(displayed(luminance), 0.01 * std::pow(luminance / 1e-3, 1.0 / 3.0), 0.01 * displayed(luminance));
     }
     EXPECT_NEAR(displayed(1e3), 1.0, 0.01);
-    EXPECT_NEAR(displayed(1e-3), 0.01, 1e-4);
+    EXPECT_NEAR(displayed(1.014e-3), 0.01, 1e-4);  // a thousandth of the pixels are darker
 }
 
 TEST(HistogramAdjustment, RangeThatFitsIsLinear) {
@@ -105,19 +105,20 @@ TEST(HistogramAdjustment, KnotsAreThoseOfTheHistogram) {
         adjusted_histogram(luminance_of(random_scene(64, 64, 3)), {1.0, 100.0}, [](double, double) { return 1.0; });
     ASSERT_TRUE(curve.has_value());
     for (const BrightnessCurve::Knot& knot : curve->knots()) {
-        const double in_its_octave = std::ldexp(knot.luminance_cdm2, 3 - std::ilogb(knot.luminance_cdm2));
+        const double in_its_octave = std::ldexp(knot.luminance_cdm2, 5 - std::ilogb(knot.luminance_cdm2));
         EXPECT_NEAR(in_its_octave, std::round(in_its_octave), 1e-12);
     }
 }
 
 TEST(HistogramHuman, NoMoreIsVisibleThanInTheWorld) {
     const PreparedOperator displayed(HistogramHuman{}, ramp_of_greys(1e-4, 1e2, 20000), 0.1);
-    for (double luminance = 1e-4; luminance < 1e2; luminance *= 1.01) {
+    for (double luminance = 1.02e-4; luminance < 1e2; luminance *= 1.01) {  // of the robust range
         const double shown = 100.0 * displayed(luminance);
         const double ceiling =
             (detection_threshold_cdm2(shown) / shown) / (detection_threshold_cdm2(luminance) / luminance);
-        // A bin is an eighth of an octave wide, over which the ceiling, taken at its middle, changes by up to 9 %.
-        EXPECT_LE(contrast(displayed, luminance), 1.1 * std::min(1.0, ceiling)) << luminance;
+        // A bin is up to 3.1 % wide; the ceiling is taken at its middle, and lies above by what a pass leaves
+        // untrimmed.
+        EXPECT_LE(contrast(displayed, luminance), 1.03 * std::min(1.0, ceiling)) << luminance;
     }
 }
 

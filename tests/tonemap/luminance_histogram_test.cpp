@@ -15,6 +15,7 @@ namespace emulsion {
 namespace {
 
 constexpr int kBins = LuminanceHistogram::kBins;
+constexpr int kOfOne = 149 * 32;  // the bin of 1: the least float is 2^-149
 
 /// The bin that a histogram of this one value counts it in; -1 if none or several.
 int bin_of(float value) {
@@ -28,24 +29,24 @@ int bin_of(float value) {
 }
 
 TEST(LuminanceHistogram, BinsCoverAllPositiveFloatsInOrder) {
-    EXPECT_EQ(LuminanceHistogram::lower_end(0), 0.0);
+    EXPECT_EQ(LuminanceHistogram::lower_end(0), double{std::numeric_limits<float>::denorm_min()});
     EXPECT_EQ(LuminanceHistogram::lower_end(kBins), 0x1p128);
     for (int bin = 0; bin < kBins; ++bin) {
         const double low = LuminanceHistogram::lower_end(bin), high = LuminanceHistogram::lower_end(bin + 1);
         ASSERT_LT(low, high);
-        if (low < 0x1p-126) continue;  // denormals are equally far apart
         ASSERT_GT(high / low, 1.0 + 1.0 / 64.0) << bin;
         ASSERT_LE(high / low, 1.0 + 1.0 / 32.0) << bin;
     }
-    EXPECT_EQ(LuminanceHistogram::lower_end(127 * 32), 1.0);
-    EXPECT_EQ(LuminanceHistogram::lower_end(127 * 32 + 16), 1.5);
+    EXPECT_EQ(LuminanceHistogram::lower_end(23 * 32), double{std::numeric_limits<float>::min()});
+    EXPECT_EQ(LuminanceHistogram::lower_end(kOfOne), 1.0);
+    EXPECT_EQ(LuminanceHistogram::lower_end(kOfOne + 16), 1.5);
 }
 
 TEST(LuminanceHistogram, ValuesAreCountedBetweenTheEndsOfTheirBin) {
     EXPECT_EQ(bin_of(std::numeric_limits<float>::denorm_min()), 0);
     EXPECT_EQ(bin_of(std::numeric_limits<float>::max()), kBins - 1);
-    EXPECT_EQ(bin_of(1.0f), 127 * 32);
-    EXPECT_EQ(bin_of(std::nextafter(1.0f, 0.0f)), 127 * 32 - 1);
+    EXPECT_EQ(bin_of(1.0f), kOfOne);
+    EXPECT_EQ(bin_of(std::nextafter(1.0f, 0.0f)), kOfOne - 1);
     Pcg32 random(1);
     for (int i = 0; i < 200; ++i) {
         const auto value = std::bit_cast<float>(1u + random.next() % 0x7f7fffffu);
@@ -53,6 +54,20 @@ TEST(LuminanceHistogram, ValuesAreCountedBetweenTheEndsOfTheirBin) {
         ASSERT_GE(bin, 0);
         EXPECT_GE(double{value}, LuminanceHistogram::lower_end(bin));
         EXPECT_LT(double{value}, LuminanceHistogram::lower_end(bin + 1));
+    }
+}
+
+// In every octave of denormals that has so many: the first value of each bin, and the last.
+TEST(LuminanceHistogram, DenormalsHaveAsFineBins) {
+    for (int octave = 5; octave < 23; ++octave) {
+        for (std::uint32_t k = 0; k < 32; ++k) {
+            const std::uint32_t first = (32u + k) << static_cast<unsigned>(octave - 5),
+                                last = ((33u + k) << static_cast<unsigned>(octave - 5)) - 1u;
+            const int bin = octave * 32 + static_cast<int>(k);
+            ASSERT_EQ(bin_of(std::bit_cast<float>(first)), bin);
+            ASSERT_EQ(bin_of(std::bit_cast<float>(last)), bin);
+            ASSERT_EQ(LuminanceHistogram::lower_end(bin), double{std::bit_cast<float>(first)});
+        }
     }
 }
 
@@ -92,7 +107,7 @@ TEST(LuminanceHistogram, MeansAreThoseOfTheValues) {
     LuminanceHistogram histogram;
     for (const float value : {1.001f, 1.002f, 1.03f}) histogram.add(value);
     histogram.add(std::numeric_limits<float>::max());
-    EXPECT_NEAR(histogram.mean(127 * 32), (1.001 + 1.002 + 1.03) / 3.0, 3e-5);
+    EXPECT_NEAR(histogram.mean(kOfOne), (1.001 + 1.002 + 1.03) / 3.0, 3e-5);
     EXPECT_NEAR(histogram.mean(kBins - 1) / double{std::numeric_limits<float>::max()}, 1.0, 3e-5);
 }
 
@@ -102,9 +117,9 @@ TEST(LuminanceHistogram, FullBinsKeepCountAndMean) {
     const float value = std::nextafter(1.03125f, 0.0f);
     doubled.add(value);
     for (int i = 0; i < 26; ++i) doubled += LuminanceHistogram(doubled);
-    EXPECT_EQ(doubled.count(127 * 32), LuminanceHistogram::kMostValues / 2);
+    EXPECT_EQ(doubled.count(kOfOne), LuminanceHistogram::kMostValues / 2);
     EXPECT_EQ(doubled.total(), LuminanceHistogram::kMostValues / 2);
-    EXPECT_NEAR(doubled.mean(127 * 32), double{value}, 3e-5);
+    EXPECT_NEAR(doubled.mean(kOfOne), double{value}, 3e-5);
 }
 
 // 4 values of 1.01 and 2 of 1.04 in the next bin, 1.02 being the mean of all six; a gap, and one value of 8.

@@ -176,5 +176,20 @@ TEST(LuminanceStatistics, ScalesWithTheUnit) {
     EXPECT_NEAR(of(scene).log_average_cdm2 / (0x1p-40 * before.log_average_cdm2), 1.0, 1e-12);
 }
 
+// Where the darkest pixels have a hundred steps left, half a one is half a hundredth.
+TEST(SceneLuminance, RobustEndsScaleWithThePictureDownToDenormals) {
+    const Image<XYZ> scene = ramp_of_greys(1.0, 100.0, 5000);
+    const SceneLuminance before(scene.view(), 1);
+    for (const float factor : {1e-36f, 1e-37f, 1e-38f, 1e-39f, 1e-40f, 1e-41f, 1.5e-43f}) {
+        Image<XYZ> other = scene;
+        for (XYZ& pixel : other.pixels()) pixel = factor * pixel;
+        const SceneLuminance after(other.view(), 1);
+        const double exact = factor;
+        EXPECT_NEAR(after.robust_min_cdm2() / (exact * before.robust_min_cdm2()), 1.0, 0.031) << factor;
+        EXPECT_NEAR(after.robust_max_cdm2() / (exact * before.robust_max_cdm2()), 1.0, 0.031) << factor;
+        EXPECT_NEAR(after.log_average_cdm2() / (exact * before.log_average_cdm2()), 1.0, 1e-3) << factor;
+    }
+}
+
 }  // namespace
 }  // namespace emulsion

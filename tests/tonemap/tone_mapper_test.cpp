@@ -113,55 +113,63 @@ TEST_P(EveryToneMapper, DependsOnTheUnitAsItSays) {
         if (unit == UnitOfLuminance::absolute) {
             EXPECT_GT(relative, 2e-4f) << factor;
         } else if (unit == UnitOfLuminance::cancels || is_power_of_2) {
-            EXPECT_LE(relative, is_power_of_2 || !is_local(GetParam()) ? 2e-4f : 0.02f) << factor;
+            EXPECT_LE(relative, 2e-4f) << factor;
         }
         if (unit == UnitOfLuminance::nearly_cancels) {
-            EXPECT_LE(of_shown, 3.0f / 255.0f) << factor;
+            EXPECT_LE(of_shown, 4.0f / 255.0f) << factor;
         }
     }
 }
 
-// The picture as before, to the bit, but for the log-average of one pixel less.
+// Six of 4096 pixels, next to each other: those that can be seen move as far as beside a single one.
 TEST_P(EveryToneMapper, BadPixelsBecomeDefinedAndLeaveTheOthers) {
     const Image<XYZ> clean = scene_for(GetParam(), 64, 64, 10);
     const Image<XYZ> clean_mapped = map(clean);
     Image<XYZ> scene = clean;
-    scene(3, 2) = {1.0f, kNan, 1.0f};
-    scene(4, 2) = {kNan, 1.0f, 1.0f};
-    scene(5, 2) = {1.0f, -1.0f, 1.0f};
-    scene(6, 2) = {1.0f, -kInf, 1.0f};
-    scene(7, 2) = {kInf, kInf, kInf};
-    scene(8, 2) = {-kInf, 1.0f, 1.0f};
+    scene(33, 32) = {1.0f, kNan, 1.0f};
+    scene(34, 32) = {kNan, 1.0f, 1.0f};
+    scene(35, 32) = {1.0f, -1.0f, 1.0f};
+    scene(36, 32) = {1.0f, -kInf, 1.0f};
+    scene(37, 32) = {kInf, kInf, kInf};
+    scene(38, 32) = {-kInf, 1.0f, 1.0f};
     const ToneMapResult result = tone_map({GetParam()}, scene.view(), kWhite, 1);
     EXPECT_EQ(result.statistics.counts, (PixelCounts{64 * 64 - 6, 0, 2, 2, 2}));
-    EXPECT_EQ(result.statistics.first_bad_px, std::make_pair(3, 2));
-    for (int x = 3; x <= 6; ++x) EXPECT_EQ(result.image(x, 2), XYZ{}) << x;
-    for (int x = 7; x <= 8; ++x) EXPECT_EQ(result.image(x, 2), kWhite) << x;
-    for (int y = 3; y < 64; ++y) {
+    EXPECT_EQ(result.statistics.first_bad_px, std::make_pair(33, 32));
+    for (int x = 33; x <= 36; ++x) EXPECT_EQ(result.image(x, 32), XYZ{}) << x;
+    for (int x = 37; x <= 38; ++x) EXPECT_EQ(result.image(x, 32), kWhite) << x;
+    for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(shown(result.image(x, y)), shown(clean_mapped(x, y)), 2.0f / 255.0f) << x << ", " << y;
+            if (y == 32 && x >= 33 && x <= 38) continue;
+            EXPECT_NEAR(shown(result.image(x, y)), shown(clean_mapped(x, y)), most_move(GetParam())) << x << ", " << y;
         }
     }
 }
 
+// Every other pixel, those next to it, too. Of fewer than a thousand pixels one has a weight that shows.
 TEST_P(EveryToneMapper, OutlierDoesToTheOthersWhatItSays) {
-    const Image<XYZ> clean = scene_for(GetParam(), 64, 64, 10);
-    const Image<XYZ> clean_mapped = map(clean);
-    Image<XYZ> scene = clean;
-    scene(20, 30) = grey(1e30f);
-    const Image<XYZ> mapped = map(scene);
-    bool stays = true, all_dark = true;
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            // What is next to it is averaged with what was there before.
-            if (std::max(std::abs(x - 20), std::abs(y - 30)) <= 8) continue;
-            stays = stays && std::abs(shown(mapped(x, y)) - shown(clean_mapped(x, y))) <= 2.0f / 255.0f;
-            all_dark = all_dark && shown(mapped(x, y)) < 1e-6f;
+    const bool darkens = traits_of(GetParam()).outliers == OutlierEffect::darkens_all;
+    std::vector<std::pair<int, int>> sizes = {{32, 32}, {64, 64}};
+    if (!is_local(GetParam())) sizes.insert(sizes.end(), {{1000, 1}, {1, 1009}});
+    for (const auto& [width, height] : sizes) {
+        for (unsigned seed = 0; seed < 6; ++seed) {
+            const Image<XYZ> clean = scene_for(GetParam(), width, height, seed);
+            const Image<XYZ> clean_mapped = map(clean);
+            const std::size_t outlier = static_cast<std::size_t>(width) * static_cast<std::size_t>(height / 2) +
+                                        static_cast<std::size_t>(width / 3);
+            Image<XYZ> scene = clean;
+            scene.pixels()[outlier] = grey(1e30f);
+            Image<XYZ> mapped = map(scene);
+            if (darkens) {
+                for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
+                    if (i == outlier) continue;
+                    EXPECT_LT(shown(mapped.pixels()[i]), 1e-6f);
+                }
+                continue;
+            }
+            mapped.pixels()[outlier] = clean_mapped.pixels()[outlier];
+            EXPECT_LE(differences(clean_mapped, mapped).first, most_move(GetParam())) << width << 'x' << height;
         }
     }
-    const bool darkens = traits_of(GetParam()).outliers == OutlierEffect::darkens_all;
-    EXPECT_EQ(all_dark, darkens);
-    EXPECT_EQ(stays, !darkens);
 }
 
 TEST_P(EveryToneMapper, PictureOfBadPixelsOnlyIsDefined) {
