@@ -20,6 +20,9 @@ DisplayGamut display_gamut(const Display& display) {
         for (double& response : row) response /= white;
     }
     gamut.rgb_from_cones = inverse(gamut.cones_from_rgb);
+    const auto [peak_cdm2, black_cdm2, flare_cdm2] = light_of(display);
+    gamut.light_span = (peak_cdm2 - black_cdm2) / (peak_cdm2 + flare_cdm2);
+    gamut.dark_light = (black_cdm2 + flare_cdm2) / (peak_cdm2 + flare_cdm2);
     return gamut;
 }
 
