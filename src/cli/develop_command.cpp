@@ -115,7 +115,7 @@ void write_outputs(const DevelopSettings& options, Image<XYZ> picture) {
     }
     if (options.output.empty()) return;
     if (picture_format(options.output) == PictureFormat::png) {
-        const Image<CodeRGB> codes = develop(std::move(picture), rest, threads).image;
+        const Image<CodeRGB> codes = develop(picture, rest, threads).image;
         write_developed(options.output, codes, options.pipeline, options.png_level);
     } else {
         write_scene_referred(std::move(picture), rest, threads, options.output);

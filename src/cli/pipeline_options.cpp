@@ -85,8 +85,8 @@ void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& ima
     write_png(png, image, options);
 }
 
-void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
-    const DevelopResult developed = develop(std::move(scene), pipeline, threads);
+void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
+    const DevelopResult developed = develop(scene, pipeline, threads);
     warn_of_bad_pixels(developed.report.luminance);
     write_developed(png, developed.image, pipeline);
 }

@@ -43,6 +43,6 @@ void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& ima
 
 /// Develops scene-referred XYZ and writes the PNG; warns of bad pixels.
 /// \throws IoError if the file can't be written.
-void develop_to_png(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
+void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
 
 }  // namespace emulsion::cli

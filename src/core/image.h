@@ -1,12 +1,15 @@
 #pragma once
 // Image<T>: width x height pixels, row by row from the top left; ImageView<T>: the same pixels, not owned.
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+#include "core/pixel_memory.h"
 
 namespace emulsion {
 
@@ -59,8 +62,13 @@ class ImageView {
     int width_, height_;
 };
 
+/// For an Image whose pixels have no values yet: all are to be written before one is read. Saves a pass over memory,
+/// and lets the threads that write it be those that first touch it.
+struct UnsetPixels {};
+
 template <class T>
 class Image {
+    static_assert(std::is_trivially_copyable_v<T>, "pixels may be left without values");
     static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to point at; take std::uint8_t");
 
   public:
@@ -68,7 +76,10 @@ class Image {
 
     /// All pixels value-initialised.
     /// \throws std::invalid_argument unless both sizes are at least 1.
-    Image(int width, int height) : width_(width), height_(height) {
+    Image(int width, int height) : Image(width, height, UnsetPixels{}) { std::ranges::fill(pixels_, T{}); }
+
+    /// \throws std::invalid_argument likewise.
+    Image(int width, int height, UnsetPixels /*unset*/) : width_(width), height_(height) {
         if (width < 1 || height < 1) {
             throw std::invalid_argument("image size " + std::to_string(width) + "x" + std::to_string(height) +
                                         ": both must be at least 1");
@@ -101,7 +112,7 @@ class Image {
     }
 
     int width_ = 0, height_ = 0;
-    std::vector<T> pixels_;
+    std::vector<T, PixelAllocator<T>> pixels_;
 };
 
 }  // namespace emulsion

@@ -29,6 +29,16 @@ HWY_INLINE void for_each_vector(std::size_t count, const Step& step) {
     for (; i < count; ++i) step(OneFloat(), i);
 }
 
+/// The same for pixels of three components, by up to eight: to sort the components of more takes more than it saves.
+template <class Step>
+HWY_INLINE void for_each_pixel_vector(std::size_t count, const Step& step) {
+    const hwy::HWY_NAMESPACE::CappedTag<float, 8> tag;
+    const std::size_t lanes = hwy::HWY_NAMESPACE::Lanes(tag);
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) step(tag, i);
+    for (; i < count; ++i) step(OneFloat(), i);
+}
+
 }  // namespace emulsion::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

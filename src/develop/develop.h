@@ -26,9 +26,11 @@ struct DevelopResult {
 
 /// Bloom, vision, tone mapping, display RGB, gamut mapping, transfer function, quantization with dithering.
 /// Every pixel comes out defined: see tone_map() for bad ones. The same result for every number of threads (0: all).
-/// \param scene XYZ, Y in cd/m^2; its memory is worked in, so that who needs it no more saves a picture by moving it
-/// here \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
-[[nodiscard]] DevelopResult develop(Image<XYZ> scene, const Pipeline& pipeline, int threads);
+/// The stages hand on what is in the processor's cache: besides the scene and the codes there is no picture in memory,
+/// unless bloom, vision, a local operator or Hilbert order need one.
+/// \param scene XYZ, Y in cd/m^2
+/// \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
+[[nodiscard]] DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
 
 /// The stages before tone mapping: bloom, then vision; scene-referred XYZ again. None if the pipeline has neither.
 /// \throws std::invalid_argument as develop().

@@ -20,7 +20,7 @@ namespace emulsion {
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own white=none
 ///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
-///     dither=floyd-steinberg:scan=raster
+///     dither=blue-noise:size=128
 struct Pipeline {
     Bloom bloom = NoBloom{};                    ///< "bloom"
     Vision vision = NoVision{};                 ///< "vision"
@@ -32,7 +32,7 @@ struct Pipeline {
     std::optional<TransferFunction> transfer = {};  ///< "transfer"; none, "own": what the display undoes
     int bits = 8;                                   ///< "bits" of a code value; 1 to 16
     CodeRange range = FullRange{};                  ///< "range" of code values
-    Dither dither = FloydSteinberg{};               ///< "dither"
+    Dither dither = BlueNoise{};                    ///< "dither"
     bool operator==(const Pipeline&) const = default;
 };
 

@@ -24,15 +24,19 @@ namespace emulsion::HWY_NAMESPACE {
 using CurveFloats = hwy::HWY_NAMESPACE::CappedTag<float, 8>;
 using CurveVector = hwy::HWY_NAMESPACE::Vec<CurveFloats>;
 
-/// Segment number `which` of every four, those of the upper four in the upper half.
+/// Of every four segments at these offsets, in bytes, number `which`; those of the upper four in the upper half.
 template <std::size_t kLanes>
 HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
-                                     const std::array<std::uint32_t, kLanes>& indices, std::size_t which) {
+                                     const std::array<std::uint32_t, kLanes>& offsets, std::size_t which) {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::FixedTag<float, 4> four;
-    const auto lower = hn::Load(four, &segments[indices[which]].start);
+    const auto segment = [&](std::size_t i) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): to let the processor add what vectors reckoned
+        return hn::Load(four, reinterpret_cast<const float*>(reinterpret_cast<const char*>(segments) + offsets[i]));
+    };
+    const auto lower = segment(which);
     if constexpr (kLanes == 8) {
-        return hn::Combine(CurveFloats(), hn::Load(four, &segments[indices[which + 4]].start), lower);
+        return hn::Combine(CurveFloats(), segment(which + 4), lower);
     } else {
         static_assert(kLanes == 4);
         return lower;
@@ -47,16 +51,19 @@ HWY_INLINE CurveVector lookup(const CurveTable& table, CurveVector x) {
     const hn::RebindToSigned<CurveFloats> signed_tag;
     const hn::Repartition<double, CurveFloats> pair_tag;
     const auto bits = hn::BitCast(unsigned_tag, x);
-    const auto index =
-        hn::Min(hn::Sub(hn::ShiftRight<CurveTable::kFractionBits>(bits), hn::Set(unsigned_tag, table.first())),
-                hn::Set(unsigned_tag, table.last()));
+    // In bytes: the number of the segment times its size.
+    static_assert(sizeof(CurveTable::Segment) == 16);
+    constexpr int kShift = CurveTable::kFractionBits - 4;
+    const auto number = hn::And(hn::ShiftRight<kShift>(bits), hn::Set(unsigned_tag, ~std::uint32_t{15}));
+    const auto offset =
+        hn::Min(hn::Sub(number, hn::Set(unsigned_tag, 16 * table.first())), hn::Set(unsigned_tag, 16 * table.last()));
     const auto fraction = hn::BitCast(signed_tag, hn::And(bits, hn::Set(unsigned_tag, CurveTable::kFractionMask)));
     const auto t = hn::Mul(hn::ConvertTo(tag, fraction), hn::Set(tag, CurveTable::kPerSegment));
 
-    alignas(32) std::array<std::uint32_t, hn::MaxLanes(CurveFloats())> indices;  // NOLINT: written at once
-    hn::Store(index, unsigned_tag, indices.data());
-    const auto s0 = load_segments(table.segments(), indices, 0), s1 = load_segments(table.segments(), indices, 1);
-    const auto s2 = load_segments(table.segments(), indices, 2), s3 = load_segments(table.segments(), indices, 3);
+    alignas(32) std::array<std::uint32_t, hn::MaxLanes(CurveFloats())> offsets;  // NOLINT: written at once
+    hn::Store(offset, unsigned_tag, offsets.data());
+    const auto s0 = load_segments(table.segments(), offsets, 0), s1 = load_segments(table.segments(), offsets, 1);
+    const auto s2 = load_segments(table.segments(), offsets, 2), s3 = load_segments(table.segments(), offsets, 3);
     const auto low01 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s0, s1));
     const auto low23 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s2, s3));
     const auto high01 = hn::BitCast(pair_tag, hn::InterleaveUpper(tag, s0, s1));

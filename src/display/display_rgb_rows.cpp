@@ -19,7 +19,7 @@ void multiply(const std::array<float, 9>& matrix, float pedestal, std::span<cons
     static_assert(sizeof(XYZ) == 3 * sizeof(float) && sizeof(RGB) == 3 * sizeof(float));
     const float* const in = &xyz.data()->x;
     float* const out = &rgb.data()->r;
-    for_each_vector(xyz.size(), [&](auto tag, std::size_t i) {
+    for_each_pixel_vector(xyz.size(), [&](auto tag, std::size_t i) {
         auto x = hn::Zero(tag), y = x, z = x;
         hn::LoadInterleaved3(tag, in + 3 * i, x, y, z);
         const auto component = [&](std::size_t row) {

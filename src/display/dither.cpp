@@ -56,7 +56,7 @@ void quantize_into(const Dither& dither, const MakeEncoded& make, const CodeScal
 
 Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, const CodeScale& scale, int threads) {
     check(dither, encoded, threads);
-    Image<CodeRGB> codes(encoded.width(), encoded.height());
+    Image<CodeRGB> codes(encoded.width(), encoded.height(), UnsetPixels{});
     quantize_into(dither, encoded, scale, codes.view(), threads);
     return codes;
 }
@@ -64,7 +64,7 @@ Image<CodeRGB> quantize(const Dither& dither, ImageView<const RGB> encoded, cons
 Image<std::uint16_t> quantize(const Dither& dither, ImageView<const float> encoded, const CodeScale& scale,
                               int threads) {
     check(dither, encoded, threads);
-    Image<std::uint16_t> codes(encoded.width(), encoded.height());
+    Image<std::uint16_t> codes(encoded.width(), encoded.height(), UnsetPixels{});
     quantize_into(dither, encoded, scale, codes.view(), threads);
     return codes;
 }

@@ -27,7 +27,7 @@ EncodedPicture::EncodedPicture(const EncodedSource& source, int first_row, int t
         rows_ = source.rows_.from(first_row);
         return;
     }
-    made_ = Image<RGB>(source.width(), height);
+    made_ = Image<RGB>(source.width(), height, UnsetPixels{});
     parallel_for_rows(source.width(), height, threads, [&](int y) { source.make_(first_row + y, 0, made_.row(y)); });
     rows_ = rgb_rows(std::as_const(made_).view());
 }

@@ -67,7 +67,7 @@ HWY_INLINE bool all_inside(Tag tag, const float* pixels) {
 void clip(std::span<RGB> linear, GamutCounts& counts) {
     static_assert(sizeof(RGB) == 3 * sizeof(float));
     float* const components = &linear.data()->r;
-    for_each_vector(linear.size(), [&](auto tag, std::size_t i) {
+    for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
         float* const pixels = components + 3 * i;
         if (all_inside(tag, pixels)) return;
         const Measured found(tag, pixels);
@@ -78,7 +78,7 @@ void clip(std::span<RGB> linear, GamutCounts& counts) {
 
 void measure(std::span<const RGB> linear, std::span<float> excess, GamutCounts& counts) {
     const float* const components = &linear.data()->r;
-    for_each_vector(linear.size(), [&](auto tag, std::size_t i) {
+    for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
         const Measured found(tag, components + 3 * i);
         counts += {found.outside, found.nan, hn::GetLane(hn::MaxOfLanes(tag, found.excess))};
         hn::StoreU(found.excess, tag, &excess[i]);

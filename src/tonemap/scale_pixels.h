@@ -8,8 +8,6 @@
 #include <span>
 
 #include "core/color.h"
-#include "core/image.h"
-#include "core/row_blocks.h"
 #include "tonemap/pixel_class.h"
 #include "tonemap/scale_rows.h"
 
@@ -40,22 +38,18 @@ template <class ExactScale>
     return representable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// display = scale * scene, with bad pixels as tone_map() says. `scale_row_at(y, in, out, left)` is one of
-/// scale_rows.h; pixels that it leaves are scaled by `exact_scale_at(x, y)`, which gives a function of Y in double
-/// precision.
+/// display = scale * scene for pixels of a row, with bad ones as tone_map() says. `scale_row` is one of scale_rows.h;
+/// pixels that it leaves are scaled by `exact_scale_at(i)`, which gives a function of Y in double precision.
 template <class ScaleRow, class ExactScaleAt>
-void scale_pixels(ImageView<const XYZ> scene, ImageView<XYZ> display, const XYZ& display_white, int threads,
-                  const ScaleRow& scale_row_at, const ExactScaleAt& exact_scale_at) {
+void scale_pixels(std::span<const XYZ> scene, std::span<XYZ> display, const XYZ& display_white,
+                  const ScaleRow& scale_row, const ExactScaleAt& exact_scale_at) {
+    LeftPixels left;
+    scale_row(scene, display, left);
     const XYZd white{display_white.x, display_white.y, display_white.z};
-    parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
-        LeftPixels left;
-        const std::span<XYZ> row = display.row(y);
-        scale_row_at(y, scene.row(y), row, left);
-        for (const std::size_t x : left) {
-            const XYZd scaled = scaled_pixel(row[x], white, exact_scale_at(x, y));
-            row[x] = {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)};
-        }
-    });
+    for (const std::size_t i : left) {
+        const XYZd scaled = scaled_pixel(display[i], white, exact_scale_at(i));
+        display[i] = {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z)};
+    }
 }
 
 }  // namespace emulsion

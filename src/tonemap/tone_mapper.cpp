@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "core/row_blocks.h"
 #include "tonemap/scale_pixels.h"
 
 namespace emulsion {
@@ -45,30 +47,40 @@ void validate(const ToneMapping& mapping) {
     if (mapping.adaptation) validate_named(*mapping.adaptation, "adaptation");
 }
 
+PreparedToneMapping::PreparedToneMapping(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                         const XYZ& display_white, int threads)
+    : scene_(scene) {
+    check(mapping, scene);
+    const SceneLuminance luminance(scene, threads);
+    statistics_ = luminance.statistics();
+    if (statistics_.counts.positive == 0) {
+        map_ = [display_white](int, int, auto in, auto out) {
+            const auto scale = [](auto pixels, auto scaled, LeftPixels& left) {
+                scale_row(0.0f, pixels, scaled, RowPixels::any, left);
+            };
+            scale_pixels(in, out, display_white, scale, [](std::size_t) { return kBlack; });
+        };
+        return;
+    }
+    AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);
+    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
+    map_ = reproduce(reproduction, statistics_, std::move(adaptation), display_white, threads);
+}
+
 LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XYZ> scene, ImageView<XYZ> display,
                                   const XYZ& display_white, int threads) {
-    check(mapping, scene);
     if (display.width() != scene.width() || display.height() != scene.height()) {
         throw std::invalid_argument("display size " + size_text(display.width(), display.height()) + ": must be " +
                                     size_text(scene.width(), scene.height()) + ", as the scene's");
     }
-    const SceneLuminance luminance(scene, threads);
-    if (luminance.statistics().counts.positive == 0) {
-        const auto scale_row_at = [](int, auto in, auto out, LeftPixels& left) {
-            scale_row(0.0f, in, out, RowPixels::any, left);
-        };
-        scale_pixels(scene, display, display_white, threads, scale_row_at, [](std::size_t, int) { return kBlack; });
-        return luminance.statistics();
-    }
-    const AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);
-    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
-    reproduce(reproduction, luminance.statistics(), adaptation, scene, display, display_white, threads);
-    return luminance.statistics();
+    const PreparedToneMapping map(mapping, scene, display_white, threads);
+    parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) { map(y, 0, display.row(y)); });
+    return map.statistics();
 }
 
 ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white, int threads) {
     check(mapping, scene);
-    ToneMapResult result{Image<XYZ>(scene.width(), scene.height()), {}};
+    ToneMapResult result{Image<XYZ>(scene.width(), scene.height(), UnsetPixels{}), {}};
     result.statistics = tone_map_into(mapping, scene, result.image.view(), display_white, threads);
     return result;
 }

@@ -2,7 +2,9 @@
 // Tone mapping: from scene-referred XYZ, Y in cd/m^2, to display-relative XYZ, Y = 1 at display white. One scale for
 // each pixel, so that its chromaticity stays. Values above 1 and outside the display's gamut are left to src/display.
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -68,6 +70,27 @@ struct ToneMapResult {
 /// \param display_white XYZ of display white, Y = 1.
 [[nodiscard]] ToneMapResult tone_map(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white,
                                      int threads);
+
+/// A mapping made ready for one picture, to be gone through once, whole or by the stretch together with later stages.
+/// The same pixels, to the bit, as tone_map() makes.
+class PreparedToneMapping {
+  public:
+    /// \param scene outlives this; its pixels stay as they are as long as this is asked for others
+    /// \throws std::invalid_argument as tone_map()
+    PreparedToneMapping(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white, int threads);
+
+    [[nodiscard]] const LuminanceStatistics& statistics() const noexcept { return statistics_; }
+
+    /// Writes pixels of row y from column x0 on, as many as `display` takes. May be called on several threads at once.
+    void operator()(int y, int x0, std::span<XYZ> display) const {
+        map_(y, x0, scene_.row(y).subspan(static_cast<std::size_t>(x0), display.size()), display);
+    }
+
+  private:
+    ImageView<const XYZ> scene_;
+    LuminanceStatistics statistics_;
+    MapStretch map_;
+};
 
 /// The same into pixels that exist: `display` has the size of `scene`, and may be the same pixels.
 /// \throws std::invalid_argument as above, or if the sizes differ.

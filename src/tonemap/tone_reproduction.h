@@ -4,9 +4,9 @@
 // white.
 
 #include <functional>
+#include <span>
 
 #include "core/color.h"
-#include "core/image.h"
 #include "tonemap/adaptation_luminance.h"
 #include "tonemap/scene_luminance.h"
 
@@ -27,11 +27,14 @@ struct ToneReproduction {
     }
 };
 
-/// Scales every pixel; bad pixels as tone_map() says. In single precision, the functions by tables of 64 knots an
-/// octave (LuminanceTable), or exactly where single precision does not reach. `display` has the size of `scene`, and
-/// may be the same pixels. The picture has positive pixels. \throws std::invalid_argument if threads < 0.
-void reproduce(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
-               const AdaptationLuminance& adaptation, ImageView<const XYZ> scene, ImageView<XYZ> display,
-               const XYZ& display_white, int threads);
+/// Maps pixels of row y from column x0 on, from the scene's to display-relative ones; of any rows in any order, on
+/// several threads at a time. The two have one size and may be the same pixels.
+using MapStretch = std::function<void(int y, int x0, std::span<const XYZ> scene, std::span<XYZ> display)>;
+
+/// Makes ready to scale every pixel; bad pixels as tone_map() says. In single precision, the functions by tables of 64
+/// knots an octave (LuminanceTable), or exactly where single precision does not reach. The picture has positive pixels.
+/// \throws std::invalid_argument if threads < 0.
+[[nodiscard]] MapStretch reproduce(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
+                                   AdaptationLuminance adaptation, const XYZ& display_white, int threads);
 
 }  // namespace emulsion

@@ -130,7 +130,7 @@ TEST(Pipeline, TextOfTheDefault) {
     EXPECT_EQ(to_text(Pipeline{}),
               "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own white=none "
               "display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full "
-              "dither=floyd-steinberg:scan=raster");
+              "dither=blue-noise:size=128");
 }
 
 // Every alternative of every stage, many times over and in the most various company.
