@@ -81,7 +81,9 @@ MergeCommand::MergeCommand(CLI::App& program)
         ->required()
         ->check(ends_in_exr)
         ->option_text("FILE");
-    command_->add_option("--png", options.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
+    command_
+        ->add_option("--png", options.png,
+                     "Also develop the picture to this PNG, 8-bit sRGB but for what --pipeline says [default: none]")
         ->check(ends_in_png)
         ->option_text("FILE");
     add_exr_options(*command_, options.exr);
@@ -94,6 +96,7 @@ MergeCommand::MergeCommand(CLI::App& program)
         files.push_back({"--output", options.output});
         files.push_back({"--png", options.png});
         require_distinct(files);
+        if (!options.png.empty()) check_for_png(options.pipeline);
     });
 }
 

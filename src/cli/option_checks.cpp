@@ -1,30 +1,16 @@
 #include "cli/option_checks.h"
 
-#include <charconv>
 #include <cmath>
-#include <optional>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/file_names.h"
+#include "cli/number_list.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace emulsion::cli {
-
-namespace {
-
-template <class Number>
-std::optional<Number> whole_text_as(const std::string& text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-}  // namespace
 
 std::string found_expected(std::string_view text, std::string_view expected) {
     return fmt::format("found \"{}\", expected {}", text, expected);
@@ -32,7 +18,7 @@ std::string found_expected(std::string_view text, std::string_view expected) {
 
 OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most) {
     return [=](const std::string& text) -> std::string {
-        const auto value = whole_text_as<std::uint64_t>(text);
+        const auto value = number_of<std::uint64_t>(text);
         // CLI11 would take 010 for 8.
         const bool is_octal = text.size() > 1 && text.front() == '0';
         if (value && !is_octal && *value >= least && *value <= most) return {};
@@ -41,7 +27,7 @@ OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most) {
 }
 
 std::string is_wavelength_count(const std::string& text) {
-    const auto value = whole_text_as<int>(text);
+    const auto value = number_of<int>(text);
     for (const int count : kWavelengthCounts) {
         if (value == count) return {};
     }
@@ -49,7 +35,7 @@ std::string is_wavelength_count(const std::string& text) {
 }
 
 std::string is_seconds(const std::string& text) {
-    const auto seconds = whole_text_as<double>(text);
+    const auto seconds = number_of<double>(text);
     if (seconds && std::isfinite(*seconds) && *seconds > 0.0) return {};
     return found_expected(text, "a number of seconds above 0");
 }

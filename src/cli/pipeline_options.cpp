@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/measured_display.h"
 #include "cli/messages.h"
 #include "cli/named_option.h"
 #include "cli/option_checks.h"
@@ -16,7 +17,44 @@
 
 namespace emulsion::cli {
 
+namespace {
+
+/// It sets the pipeline before the flags of single stages do, wherever they stand, if it is added before them.
+void add_text_option(CLI::App& command, Pipeline& pipeline) {
+    const auto parse = [&pipeline](const std::string& argument) {
+        const bool is_text = argument.find('=') != std::string::npos;
+        try {
+            pipeline = parse_pipeline(is_text ? argument : read_text_file(argument));
+        } catch (const std::invalid_argument& error) {
+            const std::string where = is_text ? "" : argument + ": ";
+            throw CLI::ValidationError("--pipeline", where + error.what());
+        } catch (const IoError& error) {
+            throw CLI::ValidationError("--pipeline", error.what());
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--pipeline", parse,
+            "All stages of the PNG at once, as `develop --show-pipeline` prints them and a PNG's text has them: "
+            "\"tonemap=drago display=hdr10 bits=10\", or the name of a file that holds such a text; what has an = is a "
+            "text. Stages that are left out have their default, and flags of single stages go before")
+        ->option_text("TEXT|FILE");
+}
+
+/// Bad usage is what `check` throws.
+template <class Check>
+void check_stages(const Check& check) {
+    try {
+        check();
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("pipeline", error.what());
+    }
+}
+
+}  // namespace
+
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
+    add_text_option(command, pipeline);
     add_named_option(command, "--bloom", "bloom", pipeline.bloom, "Spreading of bright light before tone mapping");
     add_named_option(command, "--vision", "vision", pipeline.vision,
                      "Seeing as an eye on the spot, before tone mapping");
@@ -34,34 +72,16 @@ void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
         counts.bad() + counts.positive + counts.zero, counts.nan, counts.infinite, counts.negative, x, y));
 }
 
-void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline) {
-    const auto parse = [&pipeline](const std::string& argument) {
-        const bool is_text = argument.find('=') != std::string::npos;
-        try {
-            pipeline = parse_pipeline(is_text ? argument : read_text_file(argument));
-        } catch (const std::invalid_argument& error) {
-            const std::string where = is_text ? "" : argument + ": ";
-            throw CLI::ValidationError("--pipeline", where + error.what());
-        } catch (const IoError& error) {
-            throw CLI::ValidationError("--pipeline", error.what());
-        }
-    };
-    command
-        .add_option_function<std::string>(
-            "--pipeline", parse,
-            "All stages at once, as --show-pipeline prints them and the PNG's text has them: \"tonemap=drago "
-            "bits=10\", or "
-            "the name of a file that holds such a text; what has an = is a text. Stages that are left out have their "
-            "default, and flags of single stages go before")
-        ->option_text("TEXT|FILE");
-}
-
 void add_display_options(CLI::App& command, Pipeline& pipeline) {
-    add_named_option(command, "--white", "white", pipeline.white, "White of the scene, adapted to the display's");
-    add_named_option(command, "--display", "display", pipeline.display, "Display that the PNG is for");
+    add_named_option(command, "--scene-white", "scene-white", pipeline.white,
+                     "White of the scene, adapted to the display's");
+    const CLI::Option* display =
+        add_named_option(command, "--display", "display", pipeline.display, "Display that the PNG is for");
+    add_primaries_options(command, *display, pipeline);
     add_named_option(command, "--gamut", "gamut", pipeline.gamut, "What is done with colours that it can't show");
-    add_named_option(command, "--transfer", "transfer", pipeline.transfer, "Transfer function of the codes",
-                     "the display's own");
+    const CLI::Option* transfer = add_named_option(command, "--transfer", "transfer", pipeline.transfer,
+                                                   "Transfer function of the codes", "the display's own");
+    add_transfer_table_option(command, *transfer, pipeline);
     command
         .add_option("--bits", pipeline.bits,
                     fmt::format("Bits of a code, 1 to 16; above 8 the PNG has 16 [default: {}]", pipeline.bits))
@@ -69,6 +89,17 @@ void add_display_options(CLI::App& command, Pipeline& pipeline) {
         ->option_text("N");
     add_named_option(command, "--range", "range", pipeline.range, "Range of the codes");
     add_named_option(command, "--dither", "dither", pipeline.dither, "Dithering of the codes");
+}
+
+void check_together(const Pipeline& pipeline) {
+    check_stages([&] { validate(pipeline); });
+}
+
+void check_for_png(const Pipeline& pipeline) {
+    check_stages([&] {
+        validate(pipeline);
+        validate(png_options(pipeline));
+    });
 }
 
 PngOptions png_options(const Pipeline& pipeline, int level) {
@@ -79,9 +110,10 @@ PngOptions png_options(const Pipeline& pipeline, int level) {
 }
 
 void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline,
-                     int png_level) {
+                     int png_level, const std::vector<PngText>& more) {
     PngOptions options = png_options(pipeline, png_level);
     options.text.push_back({"Pipeline", to_text(pipeline)});
+    options.text.insert(options.text.end(), more.begin(), more.end());
     write_png(png, image, options);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// The flags for the chain from XYZ to code values, shared by `render` and `develop`.
+// The flags for the chain from XYZ to code values, shared by `render`, `merge` and `develop`.
 
 #include <filesystem>
-#include <string>
+#include <vector>
 
 #include "core/color.h"
 #include "core/image.h"
@@ -17,29 +17,32 @@ class App;
 
 namespace emulsion::cli {
 
-/// Adds --bloom, --vision, --tonemap and --adaptation to a subcommand; parsing sets `pipeline`, and refuses what is no
-/// such value with bad usage.
+/// Adds --pipeline, for all stages at once: the text form, or a file that holds it; and --bloom, --vision, --tonemap
+/// and
+/// --adaptation, which go before it. Parsing sets `pipeline`, and refuses what is no such value with bad usage.
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline);
+
+/// Adds the flags of the other stages likewise, after these: --scene-white, --display, and its --primaries and --white,
+/// --gamut, --transfer, and its --transfer-table, --bits, --range and --dither.
+void add_display_options(CLI::App& command, Pipeline& pipeline);
+
+/// That the stages go together. \throws CLI::ValidationError if not.
+void check_together(const Pipeline& pipeline);
+/// And that a PNG can say what its codes mean.
+void check_for_png(const Pipeline& pipeline);
 
 /// Warns of bad pixels, if there are any: how many of each kind, and where the first is.
 void warn_of_bad_pixels(const LuminanceStatistics& statistics);
-
-/// Adds --pipeline, for all stages at once: the text form, or a file that holds it. It sets `pipeline` before the flags
-/// of single stages do, wherever they stand, if it is added before them.
-void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline);
-
-/// Adds --display, --gamut, --transfer, --bits, --range and --dither likewise.
-void add_display_options(CLI::App& command, Pipeline& pipeline);
 
 /// Of a PNG that the pipeline makes: bits, and what its codes mean; no text but that we wrote it.
 /// \param level of compression: display/png_compression.h
 [[nodiscard]] PngOptions png_options(const Pipeline& pipeline, int level = kDefaultPngLevel);
 
 /// Writes a developed picture as a PNG, with the pipeline that made it as text in it.
-/// \param png_level of compression: display/png_compression.h
+/// \param png_level of compression: display/png_compression.h \param more text of the PNG
 /// \throws IoError if the file can't be written.
 void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline,
-                     int png_level = kDefaultPngLevel);
+                     int png_level = kDefaultPngLevel, const std::vector<PngText>& more = {});
 
 /// Develops scene-referred XYZ and writes the PNG; warns of bad pixels.
 /// \throws IoError if the file can't be written.

@@ -42,7 +42,9 @@ void add_file_options(CLI::App& command, RenderSettings& settings) {
                     "name, ending in .exr]")
         ->check(ends_in_exr)
         ->option_text("FILE");
-    command.add_option("--png", settings.png, "Also develop the picture to this 8-bit sRGB PNG [default: none]")
+    command
+        .add_option("--png", settings.png,
+                    "Also develop the picture to this PNG, 8-bit sRGB but for what --pipeline says [default: none]")
         ->check(ends_in_png)
         ->option_text("FILE");
 }
@@ -116,8 +118,9 @@ void add_state_options(CLI::App& command, RenderSettings& settings) {
                "Only share I of N of the samples; the output must be a .film.exr [default: all]", "I/N");
 }
 
-void check_together(const RenderSettings& settings) {
+void check_settings(const RenderSettings& settings) {
     require_distinct({{"SCENE", settings.scene}, {"--output", settings.output}, {"--png", settings.png}});
+    if (!settings.png.empty()) check_for_png(settings.pipeline);
     if (settings.shard && !is_state_name(settings.output)) {
         throw CLI::ValidationError("--shard", "found the output \"" + settings.output.string() +
                                                   "\", expected --output NAME.film.exr: shares are merged as states");
@@ -135,7 +138,7 @@ void add_render_options(CLI::App& command, RenderSettings& settings) {
     add_exr_options(command, settings.exr);
     command.add_flag("--quiet", settings.quiet, "No progress and no summary; warnings and errors only [default: both]");
     add_pipeline_options(command, settings.pipeline);
-    command.final_callback([&settings] { check_together(settings); });
+    command.final_callback([&settings] { check_settings(settings); });
 }
 
 }  // namespace emulsion::cli

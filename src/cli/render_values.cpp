@@ -1,47 +1,28 @@
 #include "cli/render_values.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 #include <tuple>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_list.h"
 #include "cli/option_checks.h"
 
 namespace emulsion::cli {
 
 namespace {
 
-/// The texts between separators: one more than there are of these.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t at = text.find(separator);
-        parts.push_back(text.substr(0, at));
-        if (at == std::string_view::npos) return parts;
-        text.remove_prefix(at + 1);
-    }
-}
-
-/// \throws CLI::ValidationError unless the text is a number and nothing else.
-template <class Number>
-Number number_of(std::string_view digits, const char* option, const std::string& text, const char* expected) {
-    Number value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc{} && end == digits.data() + digits.size()) return value;
-    throw CLI::ValidationError(option, found_expected(text, expected));
-}
-
+/// \throws CLI::ValidationError unless the text is so many numbers.
 template <class Number, std::size_t N>
 std::array<Number, N> numbers_of(const std::string& text, char separator, const char* option, const char* expected) {
-    const std::vector<std::string_view> parts = split(text, separator);
-    if (parts.size() != N) throw CLI::ValidationError(option, found_expected(text, expected));
-    std::array<Number, N> numbers{};
-    for (std::size_t i = 0; i < N; ++i) numbers[i] = number_of<Number>(parts[i], option, text, expected);
-    return numbers;
+    const auto numbers = cli::numbers_of<Number>(text, separator);
+    if (!numbers || numbers->size() != N) throw CLI::ValidationError(option, found_expected(text, expected));
+    std::array<Number, N> all{};
+    std::copy(numbers->begin(), numbers->end(), all.begin());
+    return all;
 }
 
 }  // namespace
@@ -70,7 +51,9 @@ SpectralBuckets parse_spectrum(const std::string& text) {
     constexpr const char* kExpected = "N or N:MIN-MAX, a number of buckets and a range in nm";
     SpectralBuckets buckets;
     const std::size_t colon = text.find(':');
-    buckets.count = number_of<int>(std::string_view(text).substr(0, colon), "--spectrum", text, kExpected);
+    const auto count = number_of<int>(std::string_view(text).substr(0, colon));
+    if (!count) throw CLI::ValidationError("--spectrum", found_expected(text, kExpected));
+    buckets.count = *count;
     if (colon != std::string::npos) {
         std::tie(buckets.min_nm, buckets.max_nm) =
             std::tuple_cat(numbers_of<double, 2>(text.substr(colon + 1), '-', "--spectrum", kExpected));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -10,20 +9,11 @@
 
 #include "core/row_blocks.h"
 #include "develop/develop.h"
-#include "display/label.h"
+#include "develop/tile_sheet.h"
 
 namespace emulsion {
 
 namespace {
-
-constexpr int kMargin_px = 8;
-constexpr int kLabelScale = 2;
-constexpr double kBackground = 38.0 / 255.0, kInk = 220.0 / 255.0;  // encoded
-
-CodeRGB grey(double encoded, const CodeScale& scale) noexcept {
-    const auto code = static_cast<std::uint16_t>(std::lround(scale.black + encoded * scale.steps()));
-    return {code, code, code};
-}
 
 /// The pixel range [begin, end) of `size` that the pixel `i` of `smaller` stands for.
 std::pair<int, int> stretch(int i, int smaller, int size) noexcept {
@@ -51,16 +41,10 @@ Image<XYZ> averaged_down(const Image<XYZ>& display, int width, int height, int t
     return smaller;
 }
 
-void paste(const Image<CodeRGB>& tile, int x, int y, Image<CodeRGB>& sheet) {
-    for (int v = 0; v < tile.height(); ++v) {
-        std::copy(tile.row(v).begin(), tile.row(v).end(), sheet.row(y + v).begin() + x);
-    }
-}
-
 /// A row of up to four tiles; of more a sheet about half as high again as it is wide at most.
-int columns_of(int count, int cell_width, int cell_height) noexcept {
+int columns_of(int count, const TileCell& cell) noexcept {
     if (count <= 4) return count;
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(1.5 * count * cell_height / cell_width))), 1, count);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(1.5 * count * cell.height / cell.width))), 1, count);
 }
 
 }  // namespace
@@ -93,31 +77,19 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
     const int width = std::max(1, static_cast<int>(std::lround(shrink * scene.width())));
     const int height = std::max(1, static_cast<int>(std::lround(shrink * scene.height())));
 
-    std::size_t longest_label = 0;
-    for (const ContactTile& tile : tiles) longest_label = std::max(longest_label, tile.label.size());
-    const int label_width = static_cast<int>(longest_label) * kLabelAdvance_px * kLabelScale;
-    const int cell_width = std::max(width, label_width) + kMargin_px;
-    const int cell_height = height + kLabelHeight_px * kLabelScale + 2 * kMargin_px;
-    const auto count = static_cast<int>(tiles.size());
-    const int columns = columns_of(count, cell_width, cell_height);
-    const int rows = (count + columns - 1) / columns;
-
-    const CodeScale scale = code_scale(pipeline.bits, pipeline.range);
-    Image<CodeRGB> sheet(columns * cell_width + kMargin_px, rows * cell_height + kMargin_px);
-    std::fill(sheet.pixels().begin(), sheet.pixels().end(), grey(kBackground, scale));
+    std::vector<std::string> labels;
+    for (const ContactTile& tile : tiles) labels.push_back(tile.label);
+    const int columns = columns_of(static_cast<int>(tiles.size()), tile_cell(width, height, labels));
+    TileSheet sheet(width, height, std::move(labels), columns, code_scale(pipeline.bits, pipeline.range));
     const XYZd white = shown_as_white(pipeline.white, pipeline.display);
     const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
     const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
     const Image<XYZ>& picture = before ? *before : scene;
-    for (int number = 0; number < count; ++number) {
-        const auto& [mapping, label] = tiles[static_cast<std::size_t>(number)];
-        const ToneMapResult mapped = tone_map(mapping, picture.view(), display_white, threads);
-        const Image<XYZ> tile = averaged_down(mapped.image, width, height, threads);
-        const int x = kMargin_px + number % columns * cell_width, y = kMargin_px + number / columns * cell_height;
-        paste(develop_tone_mapped(tile, pipeline, threads).image, x, y, sheet);
-        draw_label(sheet.view(), x, y + height + kMargin_px / 2, label, grey(kInk, scale), kLabelScale);
+    for (const ContactTile& tile : tiles) {
+        const ToneMapResult mapped = tone_map(tile.mapping, picture.view(), display_white, threads);
+        sheet.add(develop_tone_mapped(averaged_down(mapped.image, width, height, threads), pipeline, threads).image);
     }
-    return sheet;
+    return std::move(sheet).picture();
 }
 
 }  // namespace emulsion

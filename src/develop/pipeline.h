@@ -18,7 +18,7 @@
 namespace emulsion {
 
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
-///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own white=none
+///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none
 ///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
 ///     dither=blue-noise:size=128
 struct Pipeline {
@@ -26,7 +26,7 @@ struct Pipeline {
     Vision vision = NoVision{};                 ///< "vision"
     ToneMapper tone_mapper = ReinhardGlobal{};  ///< "tonemap"
     std::optional<Adaptation> adaptation = {};  ///< "adaptation" luminance; none, "own": what the operator would take
-    SceneWhite white = AsItIs{};                ///< "white" of the scene, adapted to the display's
+    SceneWhite white = AsItIs{};                ///< "scene-white", adapted to the display's
     Display display = SrgbDisplay{};            ///< "display"
     GamutMapper gamut = GamutClip{};            ///< "gamut"
     std::optional<TransferFunction> transfer = {};  ///< "transfer"; none, "own": what the display undoes

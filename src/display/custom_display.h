@@ -36,9 +36,9 @@ struct CustomDisplay {
         Parameter<CustomDisplay>{"by", &CustomDisplay::by, kChromaticity, "", "y of blue"},
         Parameter<CustomDisplay>{"wx", &CustomDisplay::wx, kChromaticity, "", "x of white"},
         Parameter<CustomDisplay>{"wy", &CustomDisplay::wy, kChromaticity, "", "y of white"},
-        Parameter<CustomDisplay>{"peak", &CustomDisplay::peak_cdm2, kPeak_cdm2, "cd/m^2", kPeakHelp},
-        Parameter<CustomDisplay>{"black", &CustomDisplay::black_cdm2, kBlack_cdm2, "cd/m^2", kBlackHelp},
-        Parameter<CustomDisplay>{"flare", &CustomDisplay::flare_cdm2, kFlare_cdm2, "cd/m^2", kFlareHelp}};
+        peak_parameter<CustomDisplay>(),
+        black_parameter<CustomDisplay>(),
+        flare_parameter<CustomDisplay>()};
 };
 
 /// How far inside the triangle of the primaries the white must lie: with less, some primary has next to no part in it.

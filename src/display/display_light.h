@@ -5,8 +5,6 @@
 // darker than black and flare can't be shown. With both at 0, as by default, signal and wanted luminance are the same,
 // and the peak matters only to codes that stand for luminances (PQ) or depend on the peak (HLG).
 
-#include <string_view>
-
 #include "core/parameters.h"
 
 namespace emulsion {
@@ -21,9 +19,20 @@ struct DisplayLight {
 inline constexpr ParameterRange kPeak_cdm2 = {10.0, 10000.0};
 inline constexpr ParameterRange kBlack_cdm2 = {0.0, 5.0};
 inline constexpr ParameterRange kFlare_cdm2 = {0.0, 1000.0};
-inline constexpr std::string_view kPeakHelp = "luminance of white";
-inline constexpr std::string_view kBlackHelp = "luminance of black in a dark room";
-inline constexpr std::string_view kFlareHelp = "luminance of the room's light on the screen";
+
+/// The parameters of all displays.
+template <class T>
+[[nodiscard]] constexpr Parameter<T> peak_parameter(const ParameterRange& range = kPeak_cdm2) noexcept {
+    return {"peak", &T::peak_cdm2, range, "cd/m^2", "luminance of white"};
+}
+template <class T>
+[[nodiscard]] constexpr Parameter<T> black_parameter() noexcept {
+    return {"black", &T::black_cdm2, kBlack_cdm2, "cd/m^2", "luminance of black in a dark room"};
+}
+template <class T>
+[[nodiscard]] constexpr Parameter<T> flare_parameter() noexcept {
+    return {"flare", &T::flare_cdm2, kFlare_cdm2, "cd/m^2", "luminance of the room's light on the screen"};
+}
 
 /// signal = gain wanted - pedestal, both relative, 1 for white.
 struct SignalScale {

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -19,36 +18,17 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "display/png_color.h"
+#include "display/png_handle.h"
 
 namespace emulsion {
 
 namespace {
 
-// libpng reports an error by a callback that must not return. An exception must not pass through its C frames, so the
-// callback jumps back into write_chunks(), whose frame holds nothing that would need a destructor. Everything that
-// does need one lives in the caller.
-
 /// What the callbacks share with the caller.
 struct WriteState {
     std::FILE* file = nullptr;
-    int write_errno = 0;              ///< of a write that failed
-    std::array<char, 256> message{};  ///< of the first error or warning
+    int write_errno = 0;  ///< of a write that failed
 };
-
-void remember(WriteState& state, const char* message) noexcept {
-    if (state.message[0] != '\0') return;
-    std::strncpy(state.message.data(), message, state.message.size() - 1);
-}
-
-// A warning means that something asked for is not in the file.
-void on_warning(png_structp png, png_const_charp message) {
-    remember(*static_cast<WriteState*>(png_get_error_ptr(png)), message);
-}
-
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
-    remember(*static_cast<WriteState*>(png_get_error_ptr(png)), message);
-    png_longjmp(png, 1);
-}
 
 void on_write(png_structp png, png_bytep data, std::size_t size) {
     auto& state = *static_cast<WriteState*>(png_get_io_ptr(png));
@@ -58,27 +38,6 @@ void on_write(png_structp png, png_bytep data, std::size_t size) {
 }
 
 void on_flush(png_structp /*png*/) {}  // flushed and checked when the file is closed
-
-/// libpng's two structures.
-class PngWriter {
-  public:
-    explicit PngWriter(WriteState& state)
-        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning)),
-          info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
-        if (info_ != nullptr) png_set_write_fn(png_, &state, on_write, on_flush);
-    }
-    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
-    PngWriter(const PngWriter&) = delete;
-    PngWriter& operator=(const PngWriter&) = delete;
-
-    [[nodiscard]] png_structp png() const noexcept { return png_; }
-    [[nodiscard]] png_infop info() const noexcept { return info_; }
-    [[nodiscard]] bool created() const noexcept { return info_ != nullptr; }
-
-  private:
-    png_structp png_;
-    png_infop info_;
-};
 
 struct FileCloser {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
@@ -212,12 +171,14 @@ void write_image(const AtomicFile& file, const Image<CodeRGB>& image, const Samp
     if (stream == nullptr) throw IoError(file.path(), "cannot open the temporary file: " + errno_text(errno));
     state.file = stream.get();
     {
-        const PngWriter writer(state);
+        PngMessage message;
+        const PngHandle writer(PngTask::write, message);
         if (!writer.created()) throw IoError(file.path(), "libpng could not be started");
+        png_set_write_fn(writer.png(), &state, on_write, on_flush);
         const bool written = write_chunks(writer.png(), writer.info(), image, format, text, row);
         if (state.write_errno != 0) throw IoError(file.path(), "cannot write: " + errno_text(state.write_errno));
-        if (!written || state.message[0] != '\0') {
-            throw IoError(file.path(), std::string("libpng: ") + state.message.data());
+        if (!written || message.text[0] != '\0') {
+            throw IoError(file.path(), std::string("libpng: ") + message.text.data());
         }
     }
     if (std::fclose(stream.release()) != 0) throw IoError(file.path(), "cannot write: " + errno_text(errno));

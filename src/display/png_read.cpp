@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/text_file.h"
+#include "display/png_handle.h"
 #include "spectrum/rgb_space.h"
 #include "spectrum/transfer_function.h"
 
@@ -21,23 +22,10 @@ namespace emulsion {
 
 namespace {
 
-// As in png_file.cpp, libpng's errors jump back into the two functions that call setjmp(), whose frames hold plain
-// values only.
-
 struct ReadState {
     std::string_view bytes;
     std::size_t at = 0;
-    std::array<char, 256> message{};
 };
-
-// What libpng warns of it has repaired or left out: damaged chunks that are not of the picture.
-void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
-
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
-    auto& state = *static_cast<ReadState*>(png_get_error_ptr(png));
-    std::strncpy(state.message.data(), message, state.message.size() - 1);
-    png_longjmp(png, 1);
-}
 
 void on_read(png_structp png, png_bytep data, std::size_t size) {
     auto& state = *static_cast<ReadState*>(png_get_io_ptr(png));
@@ -45,26 +33,6 @@ void on_read(png_structp png, png_bytep data, std::size_t size) {
     std::memcpy(data, state.bytes.data() + state.at, size);
     state.at += size;
 }
-
-class PngReader {
-  public:
-    explicit PngReader(ReadState& state)
-        : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning)),
-          info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
-        if (info_ != nullptr) png_set_read_fn(png_, &state, on_read);
-    }
-    ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
-    PngReader(const PngReader&) = delete;
-    PngReader& operator=(const PngReader&) = delete;
-
-    [[nodiscard]] png_structp png() const noexcept { return png_; }
-    [[nodiscard]] png_infop info() const noexcept { return info_; }
-    [[nodiscard]] bool created() const noexcept { return info_ != nullptr; }
-
-  private:
-    png_structp png_;
-    png_infop info_;
-};
 
 /// What stands before the picture; plain.
 struct PngHeader {
@@ -188,10 +156,12 @@ Image<XYZ> decoded(const std::vector<png_byte>& bytes, const PngHeader& header, 
 PngPicture read_png(const std::filesystem::path& path) {
     const std::string file = read_text_file(path);
     ReadState state{.bytes = file};
-    const PngReader reader(state);
+    PngMessage message;
+    const PngHandle reader(PngTask::read, message);
     if (!reader.created()) throw IoError(path, "libpng could not be started");
+    png_set_read_fn(reader.png(), &state, on_read);
     const auto fail = [&] {
-        return IoError(path, "PNG, byte " + std::to_string(state.at) + ": libpng: " + state.message.data());
+        return IoError(path, "PNG, byte " + std::to_string(state.at) + ": libpng: " + message.text.data());
     };
     constexpr std::size_t kLargestUnpacked = 8'000'000;  // of packed text and profiles
     PngHeader header;

@@ -33,12 +33,14 @@ XYZd shown_as_white(const SceneWhite& white, const Display& display) {
 }
 
 void validate(const SceneWhite& white, const Display& display) {
-    validate_named(white, "white");
+    validate_named(white, "scene-white");
     try {
         (void)display_from_scene(white, display);
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("white " + to_text(white) + ": " + error.what());
+        throw std::invalid_argument("scene-white " + to_text(white) + ": " + error.what());
     }
 }
+
+void validate(const SceneWhite& white) { validate(white, Display{}); }
 
 }  // namespace emulsion

@@ -55,4 +55,7 @@ using SceneWhite = SceneWhiteOf<ChromaticAdaptation>::Type;
 /// \throws std::invalid_argument naming method, parameter, value and range, or as display_from_scene().
 void validate(const SceneWhite& white, const Display& display);
 
+/// Of the white alone, whatever the display.
+void validate(const SceneWhite& white);
+
 }  // namespace emulsion

@@ -1,8 +1,5 @@
 // `emulsion develop`: what helps to choose an operator.
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -13,10 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/named_value.h"
-#include "develop/pipeline.h"
-#include "film/exr_file.h"
-#include "film/pfm_file.h"
-#include "film/radiance_file.h"
+#include "ramp_picture.h"
 #include "run_program.h"
 #include "support/temporary_folder.h"
 #include "tonemap/bloom.h"
@@ -34,28 +28,6 @@ std::vector<std::string> lines_of(const std::string& text) {
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
 }
-
-/// Luminances 1 to 64 cd/m^2 from left to right.
-FilmPicture ramp() {
-    FilmPicture picture;
-    picture.xyz = Image<XYZ>(64, 16);
-    picture.data_window = {0, 0, 64, 16};
-    picture.width_px = 64;
-    picture.height_px = 16;
-    for (int y = 0; y < 16; ++y) {
-        for (int x = 0; x < 64; ++x)
-            picture.xyz(x, y) = {1.0f + static_cast<float>(x), 1.0f + static_cast<float>(x), 9.0f};
-    }
-    return picture;
-}
-
-std::string write_picture(const TemporaryFolder& folder, const FilmPicture& picture) {
-    const std::string exr = folder.file("ramp.exr");
-    (void)write_exr(exr, picture, {}, {});
-    return exr;
-}
-
-std::string write_ramp(const TemporaryFolder& folder) { return write_picture(folder, ramp()); }
 
 // Names at the start of a line, everything else indented.
 TEST(Develop, ListsEveryOperatorAndAdaptation) {
@@ -186,131 +158,6 @@ TEST(Develop, SaysHowManyZonesThePictureSpans) {
         run_program({"develop", write_ramp(folder), "-o", folder.file("ramp.png"), "--tonemap", "zone"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("the picture spans 6.0 zones\n"));
-}
-
-// The picture's own XYZ: Y from 1 to 64 cd/m^2, colours outside Rec. 709 among them.
-TEST(Develop, WritesTheScenesOwnLightByTheNamesEnding) {
-    const TemporaryFolder folder;
-    const std::string exr = write_ramp(folder), pfm = folder.file("a.pfm"), hdr = folder.file("a.HDR");
-    ProgramResult result = run_program({"develop", exr, "-o", pfm, "--tonemap", "max-to-white"});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err, "");
-    EXPECT_EQ(result.out, "wrote " + pfm + "\n");
-    const Image<XYZ> read = read_pfm(pfm).xyz;
-    for (int x = 0; x < 64; ++x) EXPECT_NEAR(read(x, 3).y, 1.0f + static_cast<float>(x), 1e-4);
-    result = run_program({"develop", exr, "-o", hdr});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("components below 0 (colours outside Rec. 709) are stored as 0"));
-    EXPECT_EQ(read_radiance(hdr).xyz.width(), 64);
-    // With bloom, which comes before tone mapping, the light is another.
-    EXPECT_EQ(run_program({"develop", exr, "-o", pfm, "--bloom", "quartic"}).exit_code, 0);
-    EXPECT_GT(std::abs(read_pfm(pfm).xyz(63, 3).y - read(63, 3).y), 0.01);
-}
-
-TEST(Develop, ReadsPicturesOfOthersByTheirContents) {
-    const TemporaryFolder folder;
-    const std::string exr = write_ramp(folder), pfm = folder.file("a.pfm"), png = folder.file("a.png");
-    ASSERT_EQ(run_program({"develop", exr, "-o", pfm}).exit_code, 0);
-    std::filesystem::rename(pfm, folder.file("picture.exr"));
-    ProgramResult result = run_program({"develop", folder.file("picture.exr"), "-o", png});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("picture.exr: no primaries: taken as Rec. 709"));
-    result = run_program({"develop", png, "-o", folder.file("again.png")});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("its white is taken as 1 cd/m^2"));
-    write_text(folder.file("text"), "no picture");
-    result = run_program({"develop", folder.file("text"), "-o", png});
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_THAT(result.err,
-                HasSubstr("begins with \"no p\": expected an OpenEXR, Radiance (#?), PFM (PF or Pf) or PNG"));
-}
-
-std::string text_chunk(const std::string& png) {
-    const std::string bytes = read_text(png), key = std::string("tEXtPipeline") + '\0';
-    const std::size_t at = bytes.find(key);
-    if (at == std::string::npos) return "no such text";
-    std::size_t length = 0;  // most significant byte first, before the chunk's name
-    for (std::size_t i = 4; i > 0; --i) length = length << 8u | static_cast<unsigned char>(bytes[at - i]);
-    return bytes.substr(at + key.size(), length - (key.size() - 4));
-}
-
-TEST(Develop, ShowsThePipelineOfFlagsTextAndFile) {
-    const TemporaryFolder folder;
-    const auto shown = [](std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {"develop", "--show-pipeline"});
-        const ProgramResult result = run_program(arguments);
-        EXPECT_EQ(result.exit_code, 0) << result.err;
-        return result.out;
-    };
-    EXPECT_EQ(shown({}), to_text(Pipeline{}) + "\n");
-    Pipeline expected;
-    expected.tone_mapper = FixedWhite{.white = 32.0f};
-    expected.bits = 10;
-    expected.range = NarrowRange{};
-    expected.dither = NoDither{};
-    expected.transfer = PqTransfer{};
-    const std::string text = to_text(expected);
-    EXPECT_EQ(shown({"--tonemap", "fixed:white=32", "--display", "srgb", "--gamut", "clip", "--transfer", "pq",
-                     "--bits", "10", "--range", "narrow", "--dither", "none"}),
-              text + "\n");
-    EXPECT_EQ(shown({"--pipeline", text}), text + "\n");
-    write_text(folder.file("pipeline"), "tonemap=fixed:white=32\n transfer=pq\n bits=10 range=narrow dither=none\n");
-    EXPECT_EQ(shown({"--pipeline", folder.file("pipeline")}), text + "\n");
-    // Flags of single stages go before, wherever they stand.
-    expected.bits = 12;
-    EXPECT_EQ(shown({"--bits", "12", "--pipeline", text}), to_text(expected) + "\n");
-    EXPECT_EQ(shown({"--pipeline", text, "--bits", "12"}), to_text(expected) + "\n");
-}
-
-TEST(Develop, ThePipelineInThePngMakesTheSamePicture) {
-    const TemporaryFolder folder;
-    const std::string exr = write_ramp(folder), png = folder.file("a.png"), again = folder.file("b.png");
-    ASSERT_EQ(
-        run_program({"develop", exr, "-o", png, "--tonemap", "drago", "--transfer", "bt709", "--bits", "5"}).exit_code,
-        0);
-    const std::string text = text_chunk(png);
-    EXPECT_EQ(parse_pipeline(text).bits, 5);
-    EXPECT_EQ(to_text(parse_pipeline(text)), text);
-    ASSERT_EQ(run_program({"develop", exr, "-o", again, "--pipeline", text}).exit_code, 0);
-    EXPECT_EQ(read_text(again), read_text(png));
-    // Its transfer function is in the file.
-    EXPECT_THAT(read_text(png), HasSubstr("iCCP"));
-    // The sheet has it, too.
-    ASSERT_EQ(run_program({"develop", exr, "--contact-sheet", again, "--pipeline", text}).exit_code, 0);
-    EXPECT_THAT(read_text(again), HasSubstr("iCCP"));
-}
-
-TEST(Develop, WrongStagesAreRefusedBeforeTheWork) {
-    const auto refused = [](std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {"develop", "none.exr", "-o", "none.png"});
-        const ProgramResult result = run_program(arguments);
-        EXPECT_EQ(result.exit_code, 2) << result.out;
-        return result.err;
-    };
-    EXPECT_THAT(refused({"--transfer", "gama"}), HasSubstr("transfer \"gama\": unknown; expected gamma, "));
-    EXPECT_THAT(refused({"--dither", "nine"}), HasSubstr("dither \"nine\": unknown; expected none"));
-    EXPECT_THAT(refused({"--gamut", "x"}), HasSubstr("gamut \"x\": unknown; expected clip"));
-    EXPECT_THAT(refused({"--display", "x"}), HasSubstr("display \"x\": unknown; expected"));
-    EXPECT_THAT(refused({"--range", "x"}), HasSubstr("range \"x\": unknown; expected"));
-    EXPECT_THAT(refused({"--bits", "17"}), HasSubstr("--bits: found \"17\", expected a whole number from 1 to 16"));
-    EXPECT_THAT(refused({"--range", "narrow", "--bits", "7"}), HasSubstr("bits of the narrow range = 7"));
-    EXPECT_THAT(refused({"--range", "narrow", "--transfer", "bt1886"}), HasSubstr("range narrow"));
-    EXPECT_THAT(refused({"--pipeline", "tonmap=drago"}),
-                HasSubstr("pipeline stage \"tonmap\": unknown; expected tonemap"));
-    EXPECT_THAT(refused({"--pipeline", "no-such-file"}), HasSubstr("--pipeline: no-such-file: No such file"));
-}
-
-TEST(Develop, PacksThePngAsAsked) {
-    const TemporaryFolder folder;
-    const std::string exr = write_ramp(folder);
-    const auto size_at = [&](const std::string& level) {
-        EXPECT_EQ(run_program({"develop", exr, "-o", folder.file("a.png"), "--png-level", level}).exit_code, 0);
-        return std::filesystem::file_size(folder.file("a.png"));
-    };
-    EXPECT_GT(size_at("0"), size_at("2"));
-    const ProgramResult refused = run_program({"develop", exr, "-o", folder.file("a.png"), "--png-level", "10"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, HasSubstr("--png-level: found \"10\", expected a whole number from 0 to 9"));
 }
 
 }  // namespace

@@ -102,8 +102,21 @@ TEST_F(FailingProgram, FullDiskLeavesNoPartialFile) {
     expect_only_the_scene();
 
     ASSERT_EQ(run_program({"render", scene_, "-o", exr_, "--quiet"}).exit_code, 0);
-    expect_one_line_error(run_program({"develop", exr_, "-o", png_}, {.before = limit_files}), 1, png_);
-    EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "small.pbrt"));
+    for (const std::string name : {"a.png", "a.pfm", "a.hdr"}) {
+        const std::string output = folder_.file(name);
+        expect_one_line_error(run_program({"develop", exr_, "-o", output}, {.before = limit_files}), 1, output + ": ");
+        EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "small.pbrt"));
+        // An older file of that name is as it was.
+        write_text(output, "precious");
+        EXPECT_EQ(run_program({"develop", exr_, "-o", output}, {.before = limit_files}).exit_code, 1);
+        EXPECT_EQ(read_text(output), "precious");
+        EXPECT_THAT(folder_.names(), ElementsAre("a.exr", name, "small.pbrt"));
+        std::filesystem::remove(output);
+    }
+    for (const char* flag : {"--plates", "--print-preview"}) {
+        expect_one_line_error(run_program({"develop", exr_, flag, png_}, {.before = limit_files}), 1, png_);
+        EXPECT_THAT(folder_.names(), ElementsAre("a.exr", "small.pbrt"));
+    }
 }
 
 /// The same on a file system that is really full: a small one in memory, where the machine lets us mount it.

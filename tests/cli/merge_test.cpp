@@ -129,6 +129,15 @@ TEST_F(MergeProgram, ThePngIsThatOfDevelop) {
     }
 }
 
+TEST_F(MergeProgram, ThePngMayHaveAnyPipeline) {
+    const std::string again = folder_.file("b.png"), pipeline = "display=rec2020 bits=5 dither=bayer";
+    ASSERT_EQ(merge({a_, b_, "-o", exr_, "--png", png_, "--pipeline", pipeline}).exit_code, 0);
+    ASSERT_EQ(run_program({"develop", exr_, "-o", again, "--pipeline", pipeline}).exit_code, 0);
+    EXPECT_EQ(read_text(again), read_text(png_));
+    EXPECT_THAT(read_text(png_), HasSubstr("display=rec2020"));
+    expect_refused({a_, "-o", exr_, "--png", png_, "--pipeline", "range=narrow transfer=bt1886"}, 2, "range narrow");
+}
+
 TEST_F(MergeProgram, RefusesWhatDoesNotBelongTogether) {
     const std::string other = folder_.file("other.film.exr"), plain = folder_.file("plain.exr");
     FilmState state = film_state(small_film(), 8, 9);

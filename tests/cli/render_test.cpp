@@ -120,6 +120,23 @@ TEST_F(RenderProgram, DevelopGivesTheSameBytesAsRenderDid) {
     }
 }
 
+TEST_F(RenderProgram, ThePngMayHaveAnyPipeline) {
+    const std::string pipeline = folder_.file("pipeline"), again = folder_.file("b.png");
+    write_text(pipeline, "display=hdr10:peak=600 bits=10 dither=none\ntonemap=max-to-white\n");
+    const ProgramResult result = render({"-o", exr_, "--png", png_, "--tonemap", "drago", "--pipeline", pipeline});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(read_text(png_), HasSubstr("cICP"));
+    EXPECT_THAT(read_text(png_), HasSubstr("tonemap=drago"));
+    EXPECT_THAT(read_text(png_), HasSubstr("display=hdr10:peak=600,black=0,flare=0"));
+    ASSERT_EQ(run_program({"develop", exr_, "-o", again, "--pipeline", pipeline, "--tonemap", "drago"}).exit_code, 0);
+    EXPECT_EQ(read_text(again), read_text(png_));
+    // What a PNG can't say is found out before the scene is read.
+    const ProgramResult refused =
+        run_program({"render", "none", "--png", png_, "--pipeline", "range=narrow transfer=bt1886"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, StartsWith("emulsion: error: pipeline: PNG with range narrow"));
+}
+
 TEST_F(RenderProgram, SpaceAndCompressionAreThoseOfTheFile) {
     ASSERT_EQ(render({"-o", exr_, "--space", "rec2020", "--compression", "piz"}).exit_code, 0);
     const Imf::InputFile in(exr_.c_str());

@@ -63,7 +63,9 @@ TEST(Usage, SaysWhatIsMissingOrTooMuch) {
     expect_refused({"color", "matrix", "--from", "XYZ"}, "--to: found none, expected SPACE");
     expect_refused({"render", "x", "--crop"}, "--crop: found no value, expected X0,Y0,X1,Y1");
     expect_refused({"develop"}, "PICTURE: found none, expected a file");
-    expect_refused({"develop", "a.exr"}, "--output: found none, expected it, --contact-sheet, --exposures or --curve");
+    expect_refused({"develop", "a.exr"},
+                   "--output: found none, expected it, --contact-sheet, --exposures, --plates, --print-preview or "
+                   "--curve");
     expect_refused({"render", "x", "--spp", "1", "--spp", "2"}, "--spp: found 2 values, expected one");
     expect_refused({"info", "a", "b"}, "found \"b\", expected no further argument of emulsion info");
     expect_refused({"render", "x", "--tonemaps=y"},
@@ -135,6 +137,21 @@ TEST(Help, FitsOnATerminal) {
         EXPECT_GT(lines, 5) << command;
     }
     EXPECT_THAT(run_program({"render", "--help"}).out, Not(HasSubstr("Excludes")));
+}
+
+// But with its default, wherever it is another's, too.
+TEST(Help, SaysOnceWhatAParameterMeans) {
+    const std::string help = run_program({"develop", "--help"}).out;
+    const auto count = [&](const std::string& words) {
+        int found = 0;
+        for (std::size_t at = help.find(words); at != std::string::npos; at = help.find(words, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("luminance of black in a dark room"), 1);
+    EXPECT_EQ(count("luminance of white, cd/m^2, in [10, 10000]"), 1);
+    EXPECT_EQ(count("luminance of white, cd/m^2, in [400, 2000]"), 1);
+    EXPECT_EQ(count("peak=48, black=0, flare=0  as above"), 1);
+    EXPECT_EQ(count("black=0, flare=0  as above"), 8);
 }
 
 TEST(Help, IsBrokenBetweenWords) {

@@ -128,7 +128,7 @@ std::string message_of(std::string_view text) {
 
 TEST(Pipeline, TextOfTheDefault) {
     EXPECT_EQ(to_text(Pipeline{}),
-              "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own white=none "
+              "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none "
               "display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full "
               "dither=blue-noise:size=128");
 }
@@ -185,10 +185,9 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 }
 
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
-    EXPECT_EQ(
-        message_of("tonemapper=max-to-white"),
-        "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, white, "
-        "display, gamut, vision or bits");
+    EXPECT_EQ(message_of("tonemapper=max-to-white"),
+              "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
+              "scene-white, display, gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"), "tonemap reinhard-global: key = -1: must be in [0, inf)");
@@ -198,9 +197,9 @@ TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_THAT(message_of("display=rec709"), HasSubstr("display \"rec709\": unknown; expected rec2020, "));
     EXPECT_EQ(message_of("display=hlg:peak=100"), "display hlg: peak = 100: must be in [400, 2000]");
     EXPECT_THAT(message_of("display=custom:wx=0.7"), HasSubstr("white (0.7, 0.329): must lie inside the triangle"));
-    EXPECT_THAT(message_of("white=bradford:x=0.9,y=0.9"), HasSubstr("white bradford:x=0.9,y=0.9: "));
+    EXPECT_THAT(message_of("scene-white=bradford:x=0.9,y=0.9"), HasSubstr("scene-white bradford:x=0.9,y=0.9: "));
     EXPECT_EQ(message_of("bits=7 range=narrow"), "bits of the narrow range = 7: must be in [8, 16]");
-    EXPECT_EQ(message_of("white=bradford:y=0"), "white bradford: y = 0: must be in (0, 1]");
+    EXPECT_EQ(message_of("scene-white=bradford:y=0"), "scene-white bradford: y = 0: must be in (0, 1]");
     EXPECT_EQ(message_of("bits=8 bits=8"), "pipeline: bits given twice");
     EXPECT_THAT(message_of("dither="), HasSubstr("expected none, "));
     EXPECT_THAT(message_of("=8"), HasSubstr("pipeline stage \"\": unknown"));
