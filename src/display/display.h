@@ -25,7 +25,7 @@ void validate(const Display& display);
 /// Primaries and white.
 [[nodiscard]] RgbSpace rgb_space(const Display& display);
 
-/// The transfer function that the display undoes: "transfer=own".
+/// The transfer function that the display undoes: "transfer=own". BT.1886 has the display's black and peak in it.
 [[nodiscard]] TransferFunction own_transfer(const Display& display) noexcept;
 
 [[nodiscard]] DisplayLight light_of(const Display& display) noexcept;

@@ -48,6 +48,7 @@ TEST(Display, OwnTransferFunctionsAndPeaks) {
     EXPECT_EQ(own_transfer(SrgbDisplay{}), TransferFunction(SrgbTransfer{}));
     EXPECT_EQ(own_transfer(DisplayP3{}), TransferFunction(SrgbTransfer{}));
     EXPECT_EQ(own_transfer(Rec2020Display{}), TransferFunction(Bt1886Transfer{}));
+    EXPECT_EQ(own_transfer(Rec2020Display{300.0, 2.0}), TransferFunction(Bt1886Transfer{2.0, 300.0}));
     EXPECT_EQ(own_transfer(AdobeRgbDisplay{}), TransferFunction(AdobeRgbTransfer{}));
     EXPECT_EQ(own_transfer(DciP3Display{}), TransferFunction(GammaTransfer{2.6}));
     EXPECT_EQ(own_transfer(CrtDisplay{}), TransferFunction(GammaTransfer{2.5}));
