@@ -47,18 +47,21 @@ void write_outputs(const DevelopSettings& settings, Image<XYZ> picture) {
     warn_of_bad_pixels(luminance.statistics());
 
     if (!settings.curve.empty()) write_curve(settings.curve, picture, {rest.tone_mapper, rest.adaptation}, threads);
-    if (!settings.contact_sheet.empty()) write_contact_sheet(settings.contact_sheet, picture, rest, threads);
-    if (!settings.exposures.empty()) write_exposures(settings.exposures, picture, luminance, rest, threads);
+    if (!settings.contact_sheet.empty())
+        write_contact_sheet(settings.contact_sheet, picture, settings.pipeline, threads);
+    if (!settings.exposures.empty())
+        write_exposures(settings.exposures, picture, luminance, settings.pipeline, threads);
     write_print_previews(settings, picture, rest);
     if (std::holds_alternative<ZoneSystem>(rest.tone_mapper) && !settings.quiet) {
         print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
     }
     if (settings.output.empty()) return;
     if (picture_format(settings.output) == PictureFormat::png) {
-        const Image<CodeRGB> codes = develop(picture, rest, threads).image;
-        write_developed(settings.output, codes, settings.pipeline, settings.png_level);
+        const DevelopResult developed = develop(picture, rest, threads);
+        write_developed(settings.output, developed.image, settings.pipeline, settings.png_level);
+        if (!settings.quiet) print_output(gamut_report(developed.report.gamut, developed.image.pixels().size()));
     } else {
-        write_scene_referred(std::move(picture), rest, threads, settings.output);
+        write_scene_referred(picture, settings.output);
     }
 }
 

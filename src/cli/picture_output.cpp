@@ -1,13 +1,11 @@
 #include "cli/picture_output.h"
 
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/messages.h"
 #include "cli/option_checks.h"
-#include "develop/develop.h"
 #include "film/pfm_file.h"
 #include "film/radiance_file.h"
 
@@ -41,8 +39,20 @@ std::string ends_in_picture(const std::string& name) {
     return found_expected(name, "a name ending in .png, .pfm or .hdr");
 }
 
-void write_scene_referred(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& path) {
-    if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) scene = std::move(*picture);
+std::string gamut_report(const GamutCounts& counts, std::size_t pixels) {
+    std::string report;
+    if (counts.outside > 0) {
+        report += fmt::format("{} of {} pixels were outside the display's gamut, by up to {:.3g} of its white\n",
+                              counts.outside, pixels, counts.largest_excess);
+    }
+    if (counts.uncoded > 0) {
+        report += fmt::format("{} of {} pixels were too bright for their saturation: HLG has no code for them\n",
+                              counts.uncoded, pixels);
+    }
+    return report;
+}
+
+void write_scene_referred(const Image<XYZ>& scene, const std::filesystem::path& path) {
     if (picture_format(path) == PictureFormat::pfm) {
         write_pfm(path, scene);
     } else {

@@ -26,7 +26,10 @@ TransferFunction transfer_of(const Rec2020Display& display) noexcept {
 
 void validate(const Display& display) {
     validate_named(display, "display");
-    if (const auto* custom = std::get_if<CustomDisplay>(&display)) check_triangle(*custom);
+    if (const auto* custom = std::get_if<CustomDisplay>(&display)) {
+        check_triangle(*custom);
+        check_white(*custom);
+    }
 }
 
 RgbSpace rgb_space(const Display& display) {

@@ -18,8 +18,8 @@ namespace emulsion {
 using Display = std::variant<SrgbDisplay, DisplayP3, Rec2020Display, AdobeRgbDisplay, DciP3Display, CrtDisplay,
                              Hdr10Display, HlgDisplay, CustomDisplay>;
 
-/// \throws std::invalid_argument naming display, parameter, value and range; as check_triangle() for measured
-/// primaries.
+/// \throws std::invalid_argument naming display, parameter, value and range; as check_triangle() and
+/// check_white() for measured primaries.
 void validate(const Display& display);
 
 /// Primaries and white.

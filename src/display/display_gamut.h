@@ -28,7 +28,7 @@ struct DisplayGamut {
 }
 
 /// Dividing the responses by those to the white adapts it to Oklab's own, which is D65.
-/// \throws std::invalid_argument if the display isn't valid, or a response to its white isn't positive.
+/// \throws std::invalid_argument if the display isn't valid.
 [[nodiscard]] DisplayGamut display_gamut(const Display& display);
 
 }  // namespace emulsion

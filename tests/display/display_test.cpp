@@ -86,6 +86,14 @@ TEST(Display, AWhiteThatIsNotInsideIsRefused) {
     EXPECT_THAT(message_of(display), testing::HasSubstr("must lie inside the triangle"));
 }
 
+// Inside of a triangle, which may be larger than the spectral locus: Oklab's L cones don't respond to it.
+TEST(Display, AWhiteThatNoLightHasIsRefused) {
+    const CustomDisplay display{.bx = 0.0, .by = 0.0, .wx = 0.05, .wy = 0.05};
+    EXPECT_EQ(message_of(display),
+              "display custom: wx = 0.05, wy = 0.05: a white that no light has, expected one that all three kinds of "
+              "cones see");
+}
+
 TEST(Display, ParametersOutOfRangeAreNamed) {
     EXPECT_EQ(message_of(SrgbDisplay{1.0}), "display srgb: peak = 1: must be in [10, 10000]");
     EXPECT_EQ(message_of(HlgDisplay{4000.0}), "display hlg: peak = 4000: must be in [400, 2000]");
