@@ -59,7 +59,7 @@ void write_outputs(const DevelopSettings& settings, Image<XYZ> picture) {
     if (picture_format(settings.output) == PictureFormat::png) {
         const DevelopResult developed = develop(picture, rest, threads);
         write_developed(settings.output, developed.image, settings.pipeline, settings.png_level);
-        if (!settings.quiet) print_output(gamut_report(developed.report.gamut, developed.image.pixels().size()));
+        if (!settings.quiet) report_gamut(developed, rest);
     } else {
         write_scene_referred(picture, settings.output);
     }

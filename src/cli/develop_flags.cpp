@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -70,12 +71,34 @@ void add_print_options(CLI::App& command, DevelopSettings& settings) {
     add_named_option(command, "--black", "black", settings.black, "Black ink of the plates");
 }
 
+/// Flags for what none of the files asked for has would be left out in silence.
+void refuse_idle_flags(const CLI::App& command, const DevelopSettings& settings, bool writes_png) {
+    const auto refuse = [&](std::initializer_list<const char*> flags, const char* expected) {
+        for (const char* flag : flags) {
+            if (command.count(flag) > 0) throw CLI::ValidationError(flag, expected);
+        }
+    };
+    if (!writes_png) {
+        refuse({"--scene-white", "--display", "--primaries", "--white", "--gamut", "--transfer", "--transfer-table",
+                "--bits", "--range", "--dither", "--png-level"},
+               "found without a PNG to write, expected -o FILE.png or another output that is one");
+        if (settings.curve.empty()) {
+            refuse({"--tonemap", "--adaptation"}, "found without a PNG or --curve to write, expected one of them");
+        }
+    }
+    if (settings.plates.empty() && settings.print_preview.empty()) {
+        refuse({"--black"}, "found alone, expected --plates or --print-preview");
+    }
+}
+
 /// What only all flags together can tell.
-void check_settings(const DevelopSettings& settings) {
+void check_settings(const CLI::App& command, const DevelopSettings& settings) {
     if (settings.list_tonemaps || settings.list_adaptations) return;
     const std::vector<NamedFile> outputs = output_files(settings);
     const auto is_png = [](const NamedFile& file) { return ends_in_png(file.path).empty(); };
-    if (std::any_of(outputs.begin(), outputs.end(), is_png)) {
+    const bool writes_png = std::any_of(outputs.begin(), outputs.end(), is_png);
+    if (!outputs.empty()) refuse_idle_flags(command, settings, writes_png);
+    if (writes_png) {
         check_for_png(settings.pipeline);
     } else {
         check_together(settings.pipeline);
@@ -103,7 +126,7 @@ void add_develop_options(CLI::App& command, DevelopSettings& settings) {
     add_display_options(command, settings.pipeline);
     command.add_flag("--show-pipeline", settings.show_pipeline,
                      "Print the text of all stages with all their parameters, as --pipeline takes it, and end");
-    command.final_callback([&settings] { check_settings(settings); });
+    command.final_callback([&command, &settings] { check_settings(command, settings); });
 }
 
 std::vector<NamedFile> output_files(const DevelopSettings& settings) {

@@ -114,7 +114,10 @@ int MergeCommand::run(const std::string& command_line) const {
     warn_of_losses(state.contents);
     const ExrOptions exr = exr_options(options.exr, PixelType::float32, options.threads);
     const Image<XYZ> picture = write_film(options.output, state, exr);
-    if (!options.png.empty()) develop_to_png(picture, options.pipeline, options.threads, options.png);
+    if (!options.png.empty()) {
+        const DevelopResult developed = develop_to_png(picture, options.pipeline, options.threads, options.png);
+        if (!options.quiet) report_gamut(developed, options.pipeline);
+    }
     if (options.quiet) return kDone;
     const SamplesTaken taken = samples_taken(state.provenance);
     print_output(fmt::format("{} film{}, {}x{} pixels, {}: {} of each pixel\nwrote {}\n", options.films.size(),

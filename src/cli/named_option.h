@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/named_value.h"
+#include "develop/pipeline.h"
 
 namespace emulsion::cli {
 
@@ -17,12 +18,12 @@ namespace emulsion::cli {
 [[nodiscard]] std::string named_option_help(std::string_view what, std::string_view default_text,
                                             std::span<const NamedValueDescription> choices);
 
-/// Reads such a value for a flag, and checks what parameters say together (a display's triangle), as far as its type
-/// has a validate(). \throws CLI::ValidationError naming the flag.
-template <NamedVariant Variant>
-[[nodiscard]] Variant parse_named_option(const std::string& text, const std::string& flag, std::string_view kind) {
+/// What parse() reads for a flag; checks what parameters say together (a display's triangle), as far as its type has a
+/// validate(). \throws CLI::ValidationError naming the flag, for what that or parse() refuses.
+template <class Parse>
+[[nodiscard]] auto parse_named_option(const std::string& flag, const Parse& parse) {
     try {
-        auto value = parse_named<Variant>(text, kind);
+        auto value = parse();
         if constexpr (requires { validate(value); }) validate(value);
         return value;
     } catch (const std::invalid_argument& error) {
@@ -36,7 +37,7 @@ template <NamedVariant Variant>
 CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::string_view kind, Variant& value,
                               std::string_view what) {
     const auto parse = [&value, flag, kind = std::string(kind)](const std::string& text) {
-        value = parse_named_option<Variant>(text, flag, kind);
+        value = parse_named_option(flag, [&] { return parse_named<Variant>(text, kind); });
     };
     return command
         .add_option_function<std::string>(flag, parse,
@@ -44,15 +45,17 @@ CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::s
         ->option_text("NAME");
 }
 
-/// The same where no value means another source's; `otherwise` names it.
+/// The same where no value, "own", means another's; `whose` says whose: "the operator's".
 template <NamedVariant Variant>
 CLI::Option* add_named_option(CLI::App& command, const std::string& flag, std::string_view kind,
-                              std::optional<Variant>& value, std::string_view what, std::string_view otherwise) {
+                              std::optional<Variant>& value, std::string_view what, std::string_view whose) {
     const auto parse = [&value, flag, kind = std::string(kind)](const std::string& text) {
-        value = parse_named_option<Variant>(text, flag, kind);
+        value = parse_named_option(flag, [&] { return parse_named_or<Variant>(kOwnStage, text, kind); });
     };
     return command
-        .add_option_function<std::string>(flag, parse, named_option_help(what, otherwise, describe_named<Variant>()))
+        .add_option_function<std::string>(
+            flag, parse,
+            named_option_help(what, std::string(kOwnStage) + ", " + std::string(whose), describe_named<Variant>()))
         ->option_text("NAME");
 }
 

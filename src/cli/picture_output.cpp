@@ -39,19 +39,6 @@ std::string ends_in_picture(const std::string& name) {
     return found_expected(name, "a name ending in .png, .pfm or .hdr");
 }
 
-std::string gamut_report(const GamutCounts& counts, std::size_t pixels) {
-    std::string report;
-    if (counts.outside > 0) {
-        report += fmt::format("{} of {} pixels were outside the display's gamut, by up to {:.3g} of its white\n",
-                              counts.outside, pixels, counts.largest_excess);
-    }
-    if (counts.uncoded > 0) {
-        report += fmt::format("{} of {} pixels were too bright for their saturation: HLG has no code for them\n",
-                              counts.uncoded, pixels);
-    }
-    return report;
-}
-
 void write_scene_referred(const Image<XYZ>& scene, const std::filesystem::path& path) {
     if (picture_format(path) == PictureFormat::pfm) {
         write_pfm(path, scene);

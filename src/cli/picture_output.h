@@ -1,13 +1,11 @@
 #pragma once
 // What `emulsion develop -o` writes, by the ending of its name.
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 
 #include "core/color.h"
 #include "core/image.h"
-#include "display/gamut_counts.h"
 
 namespace emulsion::cli {
 
@@ -22,9 +20,6 @@ enum class PictureFormat {
 
 /// For CLI::Option::check: a name ending in .png, .pfm or .hdr.
 [[nodiscard]] std::string ends_in_picture(const std::string& name);
-
-/// Lines on pixels that the display or its code could not show; empty if there are none.
-[[nodiscard]] std::string gamut_report(const GamutCounts& counts, std::size_t pixels);
 
 /// What bloom and vision gave, without any stage behind them: linear Rec. 709 in cd/m^2 as a PFM or a Radiance picture.
 /// Warns of what the format could not hold. \throws IoError if the file can't be written.

@@ -60,7 +60,7 @@ void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
                      "Seeing as an eye on the spot, before tone mapping");
     add_named_option(command, "--tonemap", "tonemap", pipeline.tone_mapper, "Tone mapping operator of the PNG");
     add_named_option(command, "--adaptation", "adaptation", pipeline.adaptation,
-                     "Luminance that the operator adapts to", "the operator's own");
+                     "Luminance that the operator adapts to", "the operator's");
 }
 
 void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
@@ -73,14 +73,14 @@ void warn_of_bad_pixels(const LuminanceStatistics& statistics) {
 }
 
 void add_display_options(CLI::App& command, Pipeline& pipeline) {
-    add_named_option(command, "--scene-white", "scene-white", pipeline.white,
+    add_named_option(command, "--scene-white", "scene-white", pipeline.scene_white,
                      "White of the scene, adapted to the display's");
     const CLI::Option* display =
         add_named_option(command, "--display", "display", pipeline.display, "Display that the PNG is for");
     add_primaries_options(command, *display, pipeline);
     add_named_option(command, "--gamut", "gamut", pipeline.gamut, "What is done with colours that it can't show");
     const CLI::Option* transfer = add_named_option(command, "--transfer", "transfer", pipeline.transfer,
-                                                   "Transfer function of the codes", "the display's own");
+                                                   "Transfer function of the codes", "the display's");
     add_transfer_table_option(command, *transfer, pipeline);
     command
         .add_option("--bits", pipeline.bits,
@@ -117,10 +117,29 @@ void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& ima
     write_png(png, image, options);
 }
 
-void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png) {
-    const DevelopResult developed = develop(scene, pipeline, threads);
+void report_gamut(const DevelopResult& developed, const Pipeline& pipeline) {
+    const GamutCounts& found = developed.report.gamut;
+    const auto pixels = static_cast<double>(developed.image.pixels().size());
+    if (found.uncoded > 0) {
+        print_output(fmt::format(
+            "{} of {} pixels ({:.2g} %) were too bright for their saturation: HLG has no code for "
+            "them, they are shown at their luminance with less of it\n",
+            found.uncoded, developed.image.pixels().size(), 100.0 * static_cast<double>(found.uncoded) / pixels));
+    }
+    if (found.outside == 0) return;
+    print_output(
+        fmt::format("{} of {} pixels ({:.2g} %) were outside the display's gamut, by up to {:.2g} of white; "
+                    "--gamut {}\n",
+                    found.outside, developed.image.pixels().size(), 100.0 * static_cast<double>(found.outside) / pixels,
+                    found.largest_excess, to_text(pipeline.gamut)));
+}
+
+DevelopResult develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads,
+                             const std::filesystem::path& png) {
+    DevelopResult developed = develop(scene, pipeline, threads);
     warn_of_bad_pixels(developed.report.luminance);
     write_developed(png, developed.image, pipeline);
+    return developed;
 }
 
 }  // namespace emulsion::cli

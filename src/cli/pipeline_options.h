@@ -6,6 +6,7 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "develop/develop.h"
 #include "develop/pipeline.h"
 #include "display/code_value.h"
 #include "display/png_file.h"
@@ -44,8 +45,12 @@ void warn_of_bad_pixels(const LuminanceStatistics& statistics);
 void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& image, const Pipeline& pipeline,
                      int png_level = kDefaultPngLevel, const std::vector<PngText>& more = {});
 
+/// Prints how many pixels the display could not show, and by how much, if there are any.
+void report_gamut(const DevelopResult& developed, const Pipeline& pipeline);
+
 /// Develops scene-referred XYZ and writes the PNG; warns of bad pixels.
 /// \throws IoError if the file can't be written.
-void develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads, const std::filesystem::path& png);
+DevelopResult develop_to_png(const Image<XYZ>& scene, const Pipeline& pipeline, int threads,
+                             const std::filesystem::path& png);
 
 }  // namespace emulsion::cli

@@ -156,7 +156,10 @@ int RenderCommand::run(const std::string& command_line) const {
     // `develop` makes the same one.
     if (!files.state.empty()) write_state();
     const Image<XYZ> picture = write_film(files.output, in_progress, run, exr);
-    if (!files.png.empty()) develop_to_png(picture, settings.pipeline, options.threads, files.png);
+    if (!files.png.empty()) {
+        const DevelopResult developed = develop_to_png(picture, settings.pipeline, options.threads, files.png);
+        if (!settings.quiet) report_gamut(developed, settings.pipeline);
+    }
     if (!settings.quiet) {
         const SamplesTaken taken = samples_taken(in_progress.provenance());
         print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),

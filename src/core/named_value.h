@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -212,8 +213,10 @@ template <NamedValue T>
 /// Reads a text form; names are spelt as core/name_key.h allows. `kind` is the role of the value, used in messages:
 /// "tonemap". \throws std::invalid_argument for an unknown name or parameter (listing the right ones, nearest first), a
 /// malformed number, a value out of its range (naming the range), or a parameter given twice.
+/// \param others names besides, for the list
 template <NamedVariant Variant>
-[[nodiscard]] Variant parse_named(std::string_view text, std::string_view kind) {
+[[nodiscard]] Variant parse_named(std::string_view text, std::string_view kind,
+                                  const std::vector<std::string_view>& others = {}) {
     const NamedText parts = split_named_text(text, kind);
     Variant result;
     bool found = false;
@@ -222,8 +225,18 @@ template <NamedVariant Variant>
         result = parse_parameters<T>(parts, kind);
         found = true;
     });
-    if (!found) throw_unknown_name(kind, parts.name, names_of<Variant>());
-    return result;
+    if (found) return result;
+    std::vector<std::string_view> known = names_of<Variant>();
+    known.insert(known.end(), others.begin(), others.end());
+    throw_unknown_name(kind, parts.name, std::move(known));
+}
+
+/// The same, or none for the word `none`.
+template <NamedVariant Variant>
+[[nodiscard]] std::optional<Variant> parse_named_or(std::string_view none, std::string_view text,
+                                                    std::string_view kind) {
+    if (name_key(text) == name_key(none)) return std::nullopt;
+    return parse_named<Variant>(text, kind, {none});
 }
 
 }  // namespace emulsion

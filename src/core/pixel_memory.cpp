@@ -1,5 +1,6 @@
 #include "core/pixel_memory.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <sys/mman.h>
@@ -16,7 +17,7 @@ constexpr std::size_t kHugePage = std::size_t{1} << 21;
 void* allocate_pixels(std::size_t bytes) {
     const std::size_t alignment = bytes >= 2 * kHugePage ? kHugePage : kCacheLine;
     if (bytes > std::numeric_limits<std::size_t>::max() - alignment) throw std::bad_alloc();
-    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;  // as std::aligned_alloc asks for
+    const std::size_t whole = (std::max(bytes, std::size_t{1}) + alignment - 1) / alignment * alignment;
     void* const pixels = std::aligned_alloc(alignment, whole);
     if (pixels == nullptr) throw std::bad_alloc();
     if (alignment == kHugePage) (void)madvise(pixels, whole, MADV_HUGEPAGE);  // advice: it works without

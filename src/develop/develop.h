@@ -37,6 +37,10 @@ struct DevelopResult {
 [[nodiscard]] std::optional<Image<XYZ>> before_tone_mapping(const Image<XYZ>& scene, const Pipeline& pipeline,
                                                             int threads);
 
+/// Tone mapping of what before_tone_mapping() leaves. \throws std::invalid_argument as develop().
+[[nodiscard]] PreparedToneMapping prepare_tone_mapping(const Pipeline& pipeline, ImageView<const XYZ> picture,
+                                                       int threads);
+
 /// The stages after tone mapping, for pictures that are tone-mapped already: display-relative XYZ, Y = 1 at display
 /// white. The report's luminance is left empty. \throws std::invalid_argument as develop().
 [[nodiscard]] DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads);

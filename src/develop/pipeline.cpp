@@ -12,8 +12,6 @@ namespace emulsion {
 
 namespace {
 
-constexpr std::string_view kOwn = "own";  // a stage that is left to another
-
 /// Calls visitor(key, stage) for every stage, in their order: the one list of keys.
 template <class AnyPipeline, class Visitor>
 void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
@@ -21,7 +19,7 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
-    visitor("scene-white", pipeline.white);
+    visitor("scene-white", pipeline.scene_white);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);
     visitor("transfer", pipeline.transfer);
@@ -38,7 +36,7 @@ std::string stage_text(const Variant& stage) {
 
 template <NamedVariant Variant>
 std::string stage_text(const std::optional<Variant>& stage) {
-    return stage ? to_text(*stage) : std::string(kOwn);
+    return stage ? to_text(*stage) : std::string(kOwnStage);
 }
 
 void validate_stage(std::string_view key, int bits) { check_range(bits, kCodeBits, key); }
@@ -62,8 +60,7 @@ void parse_stage(std::string_view key, std::string_view text, Variant& stage) {
 }
 template <NamedVariant Variant>
 void parse_stage(std::string_view key, std::string_view text, std::optional<Variant>& stage) {
-    stage.reset();
-    if (text != kOwn) stage = parse_named<Variant>(text, key);
+    stage = parse_named_or<Variant>(kOwnStage, text, key);
 }
 
 /// Sets the stage named by the key of "key=value".
@@ -122,7 +119,7 @@ Pipeline parse_pipeline(std::string_view text) {
 void validate(const Pipeline& pipeline) {
     for_each_stage(pipeline, [](std::string_view key, const auto& stage) { validate_stage(key, stage); });
     validate(pipeline.display);
-    validate(pipeline.white, pipeline.display);
+    validate(pipeline.scene_white, pipeline.display);
     (void)code_scale(pipeline.bits, pipeline.range);
 }
 

@@ -17,6 +17,9 @@
 
 namespace emulsion {
 
+/// In text forms and flags, of a stage that is left to what another has of its own.
+inline constexpr std::string_view kOwnStage = "own";
+
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
 ///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none
 ///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
@@ -26,7 +29,7 @@ struct Pipeline {
     Vision vision = NoVision{};                 ///< "vision"
     ToneMapper tone_mapper = ReinhardGlobal{};  ///< "tonemap"
     std::optional<Adaptation> adaptation = {};  ///< "adaptation" luminance; none, "own": what the operator would take
-    SceneWhite white = AsItIs{};                ///< "scene-white", adapted to the display's
+    SceneWhite scene_white = AsItIs{};          ///< "scene-white", adapted to the display's
     Display display = SrgbDisplay{};            ///< "display"
     GamutMapper gamut = GamutClip{};            ///< "gamut"
     std::optional<TransferFunction> transfer = {};  ///< "transfer"; none, "own": what the display undoes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,9 +11,8 @@
 
 #include "core/row_blocks.h"
 #include "develop/develop.h"
+#include "develop/picture_encoder.h"
 #include "develop/tile_sheet.h"
-#include "display/display_encoder.h"
-#include "display/display_rgb.h"
 
 namespace emulsion {
 
@@ -24,27 +24,15 @@ struct EncodedPlates {
     Image<float> black;
 };
 
-Image<XYZ> tone_mapped(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {
-    const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
-    const XYZd white = shown_as_white(pipeline.white, pipeline.display);
-    return tone_map({pipeline.tone_mapper, pipeline.adaptation}, (before ? *before : scene).view(),
-                    {static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)}, threads)
-        .image;
-}
-
 /// The stages from tone mapping to the separation, row by row.
-EncodedPlates separated(const Image<XYZ>& display_xyz, const Pipeline& pipeline, const BlackGeneration& black,
-                        int threads) {
-    const int width = display_xyz.width(), height = display_xyz.height();
-    const RgbFromXyz conversion = rgb_from_xyz(pipeline.display, pipeline.white);
-    const DisplayGamut gamut = display_gamut(pipeline.display);
-    const DisplayEncoder encode_row(pipeline.display, transfer_of(pipeline));
-    EncodedPlates plates{Image<RGB>(width, height), Image<float>(width, height)};
-    parallel_for_rows(width, height, threads, [&](int y) {
+EncodedPlates separated(const Image<XYZ>& scene, const Pipeline& pipeline, const BlackGeneration& black, int threads) {
+    const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);
+    const PreparedToneMapping map = prepare_tone_mapping(pipeline, (before ? *before : scene).view(), threads);
+    PictureEncoder encode(scene.height(), std::cref(map), pipeline);
+    EncodedPlates plates{Image<RGB>(scene.width(), scene.height()), Image<float>(scene.width(), scene.height())};
+    parallel_for_rows(scene.width(), scene.height(), threads, [&](int y) {
         const std::span<RGB> row = plates.cmy.row(y);
-        display_rgb(conversion, display_xyz.row(y), row);
-        (void)map_gamut(pipeline.gamut, gamut, row);
-        encode_row(row);
+        encode(y, 0, row);
         std::vector<Inks> inks(row.size());
         separate(black, row, inks);
         for (std::size_t x = 0; x < row.size(); ++x) {
@@ -80,7 +68,7 @@ Image<CodeRGB> grey_tile(int width, int height, const CodeAt& code_at) {
 PrintPlates print_plates(const Image<XYZ>& scene, const Pipeline& pipeline, const BlackGeneration& black, int threads) {
     validate(pipeline);
     validate_named(black, "black");
-    EncodedPlates encoded = separated(tone_mapped(scene, pipeline, threads), pipeline, black, threads);
+    EncodedPlates encoded = separated(scene, pipeline, black, threads);
     const CodeScale scale = code_scale(pipeline.bits, pipeline.range);
 
     const bool turns = !std::holds_alternative<Halftone>(pipeline.dither);

@@ -37,6 +37,29 @@ struct RowErrors {
     }
 };
 
+/// Which rows' errors are kept in the same memory, so that what is worked on stays in the processor's cache. Of a band
+/// of a Wavefront, the last rows wait for the band below. The others take turns in three: tiles lean so far that a row
+/// is read for the last time, by the two below it, before the third one below it is written there.
+class ErrorRows {
+  public:
+    ErrorRows(const Wavefront& wavefront, int reach) noexcept
+        : rows_(wavefront.rows_of_band()),
+          reach_(reach),
+          bands_(wavefront.bands_at_once() + 2),
+          places_(rows_ == 1 ? 1 : kTurns + reach) {}
+
+    [[nodiscard]] std::size_t count() const noexcept { return static_cast<std::size_t>(bands_ * places_); }
+    [[nodiscard]] std::size_t place_of(int y) const noexcept {
+        const int row = y % rows_, from_last = rows_ - 1 - row;
+        const int place = rows_ > 1 && from_last < reach_ ? kTurns + from_last : row % kTurns;
+        return static_cast<std::size_t>(y / rows_ % bands_ * places_ + place);
+    }
+
+  private:
+    static constexpr int kTurns = 3;
+    int rows_, reach_, bands_, places_;
+};
+
 /// Where a row's errors are read from: component 0 of the row, and components from a pixel to the next that was
 /// rounded.
 struct ErrorSource {
@@ -106,15 +129,15 @@ void gather(std::span<const float> encoded, const CodeUnits& units, const ErrorS
 template <const DiffusionKernel& Kernel, int Channels>
 class RowDiffusion {
   public:
-    /// `rows_at_once` rows may be under way at the same time.
-    RowDiffusion(RowOrder order, const CodeScale& scale, const CodeRows& codes, int rows_at_once)
+    RowDiffusion(RowOrder order, const CodeScale& scale, const CodeRows& codes, const Wavefront& wavefront)
         : order_(order),
           scale_(scale),
           units_(scale),
           codes_(codes),
+          error_rows_(wavefront, Kernel.reach()),
           edges_(static_cast<std::size_t>(codes.height)),
           states_(edges_.size()) {
-        for (int i = 0; i < rows_at_once + 2; ++i) {
+        for (std::size_t i = 0; i < error_rows_.count(); ++i) {
             errors_.push_back(RowErrors::make<Kernel>(codes.row(0).size() + 2 * kPadding));
         }
     }
@@ -176,7 +199,7 @@ class RowDiffusion {
     /// Errors handed down to the pixels near the left and right border of a row.
     using Edges = std::array<Units, std::size_t{kLeastWidth_px} * Channels>;
 
-    [[nodiscard]] RowErrors& errors(int y) noexcept { return errors_[static_cast<std::size_t>(y) % errors_.size()]; }
+    [[nodiscard]] RowErrors& errors(int y) noexcept { return errors_[error_rows_.place_of(y)]; }
 
     /// Nothing comes from outside of the picture, and nothing is kept of rows from `end` on.
     [[nodiscard]] ErrorSource source(int y, int end) noexcept {
@@ -268,7 +291,8 @@ class RowDiffusion {
     CodeScale scale_;
     CodeUnits units_;
     CodeRows codes_;
-    std::vector<RowErrors> errors_;  // of row y at y modulo their number
+    ErrorRows error_rows_;
+    std::vector<RowErrors> errors_;  // in the places of error_rows_
     std::vector<Units> nothing_ = std::vector<Units>(codes_.row(0).size() + 2 * kPadding);
     std::vector<Edges> edges_;  // of all rows
     std::vector<RowState> states_;
@@ -293,7 +317,7 @@ void diffuse_channels(RowOrder order, const EncodedSource& source, const CodeSca
     const int wanted = order == RowOrder::serpentine ? 1 : threads == 0 ? hardware_threads() : threads;
     const int workers = std::clamp(width / kLeastStretch_px, 1, wanted);
     Wavefront wavefront(width, last_rows, Kernel.reach(), workers);
-    RowDiffusion<Kernel, Channels> diffusion(order, scale, codes, wavefront.rows_at_once());
+    RowDiffusion<Kernel, Channels> diffusion(order, scale, codes, wavefront);
     parallel_for(0, workers, workers, [&](int) {
         EncodedReader read(source);
         std::vector<Units> values(codes.row(0).size());

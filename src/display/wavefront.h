@@ -26,8 +26,9 @@ class Wavefront {
     /// All of the picture's rows [0, height); `reach` in pixels.
     Wavefront(int width, int height, int reach, int threads);
 
-    /// Rows of which no more than so many, from any row under way, may be under way or have been begun.
-    [[nodiscard]] int rows_at_once() const noexcept { return bands_at_once_ * rows_; }
+    [[nodiscard]] int rows_of_band() const noexcept { return rows_; }
+    /// No more than so many, from any band under way, may be under way or have been begun.
+    [[nodiscard]] int bands_at_once() const noexcept { return bands_at_once_; }
 
     /// A tile to do, once there is one; none when all have been given out to the last. Then call done().
     [[nodiscard]] std::optional<WavefrontTile> take();

@@ -1,6 +1,7 @@
 // `emulsion develop`: the stages by their flags, and all together as a text.
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -94,6 +95,55 @@ TEST(Develop, WrongStagesAreRefusedBeforeTheWork) {
     EXPECT_THAT(refused({"--pipeline", "tonmap=drago"}),
                 HasSubstr("pipeline stage \"tonmap\": unknown; expected tonemap"));
     EXPECT_THAT(refused({"--pipeline", "no-such-file"}), HasSubstr("--pipeline: no-such-file: No such file"));
+}
+
+TEST(Develop, LeavesAStageToItsOwnAgain) {
+    const std::string text =
+        shown({"--pipeline", "transfer=pq adaptation=median", "--transfer", "own", "--adaptation", "OWN"});
+    EXPECT_EQ(text, to_text(Pipeline{}) + "\n");
+    EXPECT_THAT(refused({"--transfer", "owm"}), HasSubstr("--transfer: transfer \"owm\": unknown; expected own"));
+    EXPECT_THAT(refused({"--pipeline", "adaptation=owm"}), HasSubstr("expected own"));
+}
+
+// Of the ramp, where blue lies far outside of the display, and none where light is grey.
+TEST(Develop, ReportsWhatTheDisplayCannotShow) {
+    const TemporaryFolder folder;
+    FilmPicture picture = ramp();
+    const std::string png = folder.file("ramp.png");
+    for (XYZ& p : picture.xyz.pixels()) p = {0.9505f * p.y, p.y, 1.089f * p.y};
+    const std::string grey = write_picture(folder, picture);
+    EXPECT_EQ(run_program({"develop", grey, "-o", png, "--tonemap", "fixed:white=100"}).out, "wrote " + png + "\n");
+
+    for (int x = 0; x < 8; ++x) picture.xyz(x, 3) = {0.0f, 50.0f, 0.0f};
+    const std::string green = write_picture(folder, picture);
+    const std::vector<std::string> arguments = {"develop", green, "-o", png, "--tonemap", "fixed:white=100"};
+    const std::string report = "8 of 1024 pixels (0.78 %) were outside the display's gamut, by up to 0.77 of white; ";
+    EXPECT_EQ(run_program(arguments).out, report + "--gamut clip\nwrote " + png + "\n");
+    std::vector<std::string> none = arguments, quiet = arguments;
+    none.insert(none.end(), {"--gamut", "none"});
+    quiet.emplace_back("--quiet");
+    EXPECT_EQ(run_program(none).out, report + "--gamut none\nwrote " + png + "\n");
+    EXPECT_EQ(run_program(quiet).out, "");
+}
+
+TEST(Develop, RefusesFlagsThatNoFileHasAUseFor) {
+    const TemporaryFolder folder;
+    const std::string exr = write_ramp(folder), pfm = folder.file("out.pfm"), csv = folder.file("out.csv");
+    const auto err = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"develop", exr});
+        const ProgramResult result = run_program(arguments);
+        EXPECT_EQ(result.exit_code, 2) << result.out;
+        return result.err;
+    };
+    const std::string no_png = ": found without a PNG to write, expected -o FILE.png or another output that is one";
+    EXPECT_THAT(err({"-o", pfm, "--bits", "4"}), HasSubstr("--bits" + no_png));
+    EXPECT_THAT(err({"-o", pfm, "--png-level", "9"}), HasSubstr("--png-level" + no_png));
+    EXPECT_THAT(err({"--curve", csv, "--display", "hdr10"}), HasSubstr("--display" + no_png));
+    EXPECT_THAT(err({"-o", pfm, "--tonemap", "drago"}), HasSubstr("--tonemap: found without a PNG or --curve"));
+    EXPECT_THAT(err({"-o", folder.file("out.png"), "--black", "ucr"}), HasSubstr("--black: found alone"));
+    EXPECT_FALSE(std::filesystem::exists(pfm));
+    EXPECT_EQ(run_program({"develop", exr, "--curve", csv, "--tonemap", "drago"}).exit_code, 0);
+    EXPECT_EQ(run_program({"develop", exr, "-o", pfm, "--bloom", "quartic"}).exit_code, 0);
 }
 
 TEST(Develop, TakesAMeasuredDisplay) {

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -92,6 +94,30 @@ TEST(ImageView, IndicesBeyondAnIntAreRight) {
     EXPECT_EQ(view.pixels().back(), 7);
     EXPECT_EQ(view.row(kHeight - 1).back(), 7);
     ::munmap(memory, kSize);
+}
+
+TEST(Image, HasPixelsWithValuesUnlessItIsToldNotTo) {
+    for (int repeat = 0; repeat < 3; ++repeat) {  // memory that was used before
+        Image<int> image(300, 200);
+        for (const int p : image.pixels()) ASSERT_EQ(p, 0);
+        for (int& p : image.pixels()) p = 7;
+        Image<int> unset(300, 200, UnsetPixels{});
+        for (int& p : unset.pixels()) p = 7;
+        EXPECT_EQ(unset, image);
+    }
+    EXPECT_THROW((void)Image<int>(0, 5, UnsetPixels{}), std::invalid_argument);
+}
+
+TEST(PixelMemory, IsAlignedAndFreed) {
+    constexpr std::size_t kHuge = std::size_t{1} << 21;
+    for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{100}, 2 * kHuge - 1, 5 * kHuge + 3}) {
+        void* const pixels = allocate_pixels(bytes);
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(pixels) % (bytes < 2 * kHuge ? 64 : kHuge), 0u) << bytes;
+        if (bytes > 0) std::memset(pixels, 1, bytes);
+        free_pixels(pixels);
+    }
+    EXPECT_THROW((void)allocate_pixels(std::numeric_limits<std::size_t>::max() - 5), std::bad_alloc);
+    EXPECT_THROW((void)PixelAllocator<double>().allocate(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
 }
 
 TEST(PixelBounds, MeasuresItself) {

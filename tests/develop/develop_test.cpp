@@ -13,6 +13,8 @@
 
 #include "core/named_value.h"
 #include "core/random.h"
+#include "display/display_encoder.h"
+#include "display/display_rgb.h"
 #include "spectrum/rgb_space.h"
 
 namespace emulsion {
@@ -205,6 +207,29 @@ TEST(Develop, BloomAndVisionComeBeforeTheToneCurve) {
     EXPECT_EQ(result.report, by_hand.report);
     EXPECT_EQ(result.report.luminance.counts.nan, 1);
     EXPECT_NE(result.image, develop(scene, pipeline, 1).image);
+}
+
+// Stretches of rows, handed on from stage to stage: the same as whole pictures, one stage after the other.
+TEST(Develop, IsItsStagesOneAfterTheOther) {
+    Image<XYZ> scene = random_scene(2500, 9, 85);
+    scene(2100, 4) = {kNan, kNan, kNan};
+    for (const Dither& dither : {Dither(BlueNoise{}), Dither(FloydSteinberg{}), Dither(FloydSteinberg{kHilbertScan})}) {
+        for (const ToneMapper& mapper :
+             {ToneMapper(ReinhardGlobal{}), ToneMapper(MaxToWhite{}), ToneMapper(Durand{})}) {
+            const Pipeline pipeline{.tone_mapper = mapper, .dither = dither};
+            const DevelopResult result = develop(scene, pipeline, 2);
+            const XYZd white = shown_as_white(pipeline.scene_white, pipeline.display);
+            const XYZ narrow = {static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
+            const ToneMapResult mapped = tone_map({mapper}, scene.view(), narrow, 1);
+            Image<RGB> encoded(scene.width(), scene.height());
+            display_rgb(rgb_from_xyz(pipeline.display), mapped.image.pixels(), encoded.pixels());
+            const GamutCounts counts = map_gamut(pipeline.gamut, display_gamut(pipeline.display), encoded.pixels());
+            DisplayEncoder(pipeline.display, transfer_of(pipeline))(encoded.pixels());
+            EXPECT_EQ(result.image, quantize(dither, std::as_const(encoded).view(), {}, 1)) << to_text(pipeline);
+            EXPECT_EQ(result.report.gamut, counts) << to_text(pipeline);
+            EXPECT_EQ(result.report.luminance, mapped.statistics) << to_text(pipeline);
+        }
+    }
 }
 
 TEST(Develop, RejectsWhatItCannotDo) {

@@ -107,7 +107,7 @@ Pipeline random_pipeline(Pcg32& random) {
     pipeline.vision = random_value<Vision>(random);
     pipeline.tone_mapper = random_value<ToneMapper>(random);
     if (random.next() % 2 == 0) pipeline.adaptation = random_value<Adaptation>(random);
-    pipeline.white = random_white(random);
+    pipeline.scene_white = random_white(random);
     pipeline.display = random_display(random);
     pipeline.gamut = random_value<GamutMapper>(random);
     if (random.next() % 4 != 0) pipeline.transfer = random_value<TransferFunction>(random);

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include <gtest/gtest.h>
@@ -101,6 +103,29 @@ TEST(Dither, SameCodesForEveryNumberOfThreads) {
     }
 }
 
+TEST(Dither, SameCodesOfValuesThatAreMadeWhenAskedFor) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {40, 1}, {2500, 7}, {3, 300}}) {
+        const Image<RGB> picture = random_picture(width, height, 51);
+        for_each_case([&, &width = width, &height = height](const Dither& dither, const CodeScale& scale) {
+            const Image<CodeRGB> codes = quantize(dither, picture.view(), scale, 1);
+            for (const int threads : {1, 3}) {
+                Image<int> times(width, height);
+                const auto make = [&](int y, int x0, std::span<RGB> pixels) {
+                    for (std::size_t i = 0; i < pixels.size(); ++i) {
+                        const int x = x0 + static_cast<int>(i);
+                        pixels[i] = picture(x, y);
+                        ++times(x, y);
+                    }
+                };
+                Image<CodeRGB> made(width, height);
+                quantize_into(dither, make, scale, made.view(), threads);
+                ASSERT_EQ(made, codes) << label(dither, scale);
+                for (const int t : times.pixels()) ASSERT_EQ(t, 1) << label(dither, scale);
+            }
+        });
+    }
+}
+
 /// How far the mean of a constant may be off, in codes, for dithers that are known not to keep it to 1e-4.
 double codes_off(const NoDither& /*dither*/) { return 0.5; }
 /// 4.5 standard deviations of the mean of 256^2 errors of variance 1/4 at most: one of 182 cases is beyond with a
@@ -176,6 +201,10 @@ TEST(Dither, RejectsWhatItCannotDo) {
         EXPECT_THROW((void)quantize(dither, picture.view(), {}, -1), std::invalid_argument);
         EXPECT_THROW(quantize_into(dither, picture.view(), {}, smaller.view(), 1), std::invalid_argument);
         EXPECT_THROW(quantize_into(dither, Image<float>(2, 2).view(), {}, taller.view(), 1), std::invalid_argument);
+        const MakeEncoded black = [](int, int, std::span<RGB> pixels) { std::ranges::fill(pixels, RGB{}); };
+        EXPECT_THROW(quantize_into(dither, black, {}, smaller.view(), -1), std::invalid_argument);
+        const MakeEncoded fails = [](int, int, std::span<RGB>) { throw std::runtime_error("no light"); };
+        EXPECT_THROW(quantize_into(dither, fails, {}, smaller.view(), 2), std::runtime_error);
     }
 }
 
