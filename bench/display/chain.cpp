@@ -156,7 +156,7 @@ void whole_chain(benchmark::State& state) {
     const auto make = [&](int y, int x0, std::span<RGB> pixels) {
         display_rgb(conversion, display_xyz().row(y).subspan(static_cast<std::size_t>(x0), pixels.size()), pixels);
         benchmark::DoNotOptimize(map_gamut(GamutMapper{}, srgb_gamut, pixels));
-        encode_row(pixels);
+        benchmark::DoNotOptimize(encode_row(pixels));
     };
     for (auto _ : state) {
         quantize_into(chosen, make, {}, codes.view(), 1);

@@ -47,8 +47,10 @@ void write_outputs(const DevelopSettings& settings, Image<XYZ> picture) {
     warn_of_bad_pixels(luminance.statistics());
 
     if (!settings.curve.empty()) write_curve(settings.curve, picture, {rest.tone_mapper, rest.adaptation}, threads);
-    if (!settings.contact_sheet.empty()) write_contact_sheet(settings.contact_sheet, picture, rest, threads);
-    if (!settings.exposures.empty()) write_exposures(settings.exposures, picture, luminance, rest, threads);
+    if (!settings.contact_sheet.empty())
+        write_contact_sheet(settings.contact_sheet, picture, settings.pipeline, threads);
+    if (!settings.exposures.empty())
+        write_exposures(settings.exposures, picture, luminance, settings.pipeline, threads);
     write_print_previews(settings, picture, rest);
     if (std::holds_alternative<ZoneSystem>(rest.tone_mapper) && !settings.quiet) {
         print_output(fmt::format("the picture spans {:.1f} zones\n", dynamic_range_zones(luminance)));
@@ -59,7 +61,7 @@ void write_outputs(const DevelopSettings& settings, Image<XYZ> picture) {
         write_developed(settings.output, developed.image, settings.pipeline, settings.png_level);
         if (!settings.quiet) report_gamut(developed, rest);
     } else {
-        write_scene_referred(std::move(picture), rest, threads, settings.output);
+        write_scene_referred(picture, settings.output);
     }
 }
 

@@ -1,13 +1,11 @@
 #include "cli/picture_output.h"
 
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/messages.h"
 #include "cli/option_checks.h"
-#include "develop/develop.h"
 #include "film/pfm_file.h"
 #include "film/radiance_file.h"
 
@@ -41,8 +39,7 @@ std::string ends_in_picture(const std::string& name) {
     return found_expected(name, "a name ending in .png, .pfm or .hdr");
 }
 
-void write_scene_referred(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& path) {
-    if (std::optional<Image<XYZ>> picture = before_tone_mapping(scene, pipeline, threads)) scene = std::move(*picture);
+void write_scene_referred(const Image<XYZ>& scene, const std::filesystem::path& path) {
     if (picture_format(path) == PictureFormat::pfm) {
         write_pfm(path, scene);
     } else {

@@ -6,7 +6,6 @@
 
 #include "core/color.h"
 #include "core/image.h"
-#include "develop/pipeline.h"
 
 namespace emulsion::cli {
 
@@ -22,8 +21,8 @@ enum class PictureFormat {
 /// For CLI::Option::check: a name ending in .png, .pfm or .hdr.
 [[nodiscard]] std::string ends_in_picture(const std::string& name);
 
-/// Bloom and vision, and no stage behind them: linear Rec. 709 in cd/m^2 as a PFM or a Radiance picture. Warns of what
-/// the format could not hold. \throws IoError if the file can't be written.
-void write_scene_referred(Image<XYZ> scene, const Pipeline& pipeline, int threads, const std::filesystem::path& path);
+/// What bloom and vision gave, without any stage behind them: linear Rec. 709 in cd/m^2 as a PFM or a Radiance picture.
+/// Warns of what the format could not hold. \throws IoError if the file can't be written.
+void write_scene_referred(const Image<XYZ>& scene, const std::filesystem::path& path);
 
 }  // namespace emulsion::cli

@@ -119,8 +119,14 @@ void write_developed(const std::filesystem::path& png, const Image<CodeRGB>& ima
 
 void report_gamut(const DevelopResult& developed, const Pipeline& pipeline) {
     const GamutCounts& found = developed.report.gamut;
-    if (found.outside == 0) return;
     const auto pixels = static_cast<double>(developed.image.pixels().size());
+    if (found.uncoded > 0) {
+        print_output(fmt::format(
+            "{} of {} pixels ({:.2g} %) were too bright for their saturation: HLG has no code for "
+            "them, they are shown at their luminance with less of it\n",
+            found.uncoded, developed.image.pixels().size(), 100.0 * static_cast<double>(found.uncoded) / pixels));
+    }
+    if (found.outside == 0) return;
     print_output(
         fmt::format("{} of {} pixels ({:.2g} %) were outside the display's gamut, by up to {:.2g} of white; "
                     "--gamut {}\n",

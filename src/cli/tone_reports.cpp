@@ -12,7 +12,6 @@
 #include "cli/pipeline_options.h"
 #include "core/text_file.h"
 #include "develop/contact_sheet.h"
-#include "display/png_file.h"
 
 namespace emulsion::cli {
 
@@ -30,6 +29,13 @@ std::string block_of(const NamedValueDescription& value, std::string_view adapte
                             parameter.unit.empty() ? "none" : parameter.unit, parameter.help);
     }
     return text;
+}
+
+/// The stages from tone mapping on.
+Pipeline after_vision(Pipeline pipeline) {
+    pipeline.bloom = NoBloom{};
+    pipeline.vision = NoVision{};
+    return pipeline;
 }
 
 }  // namespace
@@ -52,7 +58,7 @@ std::string adaptation_list() {
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& picture, const Pipeline& pipeline,
                          int threads) {
     const std::vector<ContactTile> tiles = operator_tiles(pipeline.adaptation);
-    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options(pipeline));
+    write_developed(png, contact_sheet(picture, after_vision(pipeline), tiles, kTile_px, threads), pipeline);
 }
 
 void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture, const SceneLuminance& luminance,
@@ -66,7 +72,7 @@ void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture
         white = std::stod(fmt::format("{:.1e}", 0.1 * luminance.robust_max_cdm2()));
     }
     const std::vector<ContactTile> tiles = exposure_tiles(std::clamp(white, 1e-30, 1e30));
-    write_png(png, contact_sheet(picture, pipeline, tiles, kTile_px, threads), png_options(pipeline));
+    write_developed(png, contact_sheet(picture, after_vision(pipeline), tiles, kTile_px, threads), pipeline);
 }
 
 void write_curve(const std::filesystem::path& csv, const Image<XYZ>& picture, const ToneMapping& mapping, int threads) {

@@ -19,12 +19,14 @@ namespace emulsion::cli {
 [[nodiscard]] std::string adaptation_list();
 
 /// One tile for each operator, under the pipeline's adaptation, if it has one: see contact_sheet().
+/// \param picture after bloom and vision \param pipeline all of it, also those two: the text in the PNG
 /// \throws IoError if the file can't be written.
 void write_contact_sheet(const std::filesystem::path& png, const Image<XYZ>& picture, const Pipeline& pipeline,
                          int threads);
 
 /// Three exposures: see exposure_tiles(). Around the white of the pipeline's tone mapper if that is `fixed`, else
-/// around a tenth of the picture's robust largest luminance. \throws IoError if the file can't be written.
+/// around a tenth of the picture's robust largest luminance. Parameters as above. \throws IoError if the file can't be
+/// written.
 void write_exposures(const std::filesystem::path& png, const Image<XYZ>& picture, const SceneLuminance& luminance,
                      const Pipeline& pipeline, int threads);
 

@@ -81,7 +81,7 @@ Image<CodeRGB> contact_sheet(const Image<XYZ>& scene, const Pipeline& pipeline, 
     std::vector<std::string> labels;
     for (const ContactTile& tile : tiles) labels.push_back(tile.label);
     const int columns = columns_of(static_cast<int>(tiles.size()), tile_cell(width, height, labels));
-    TileSheet sheet(width, height, std::move(labels), columns, code_scale(pipeline.bits, pipeline.range));
+    TileSheet sheet(width, height, std::move(labels), columns, sheet_greys(pipeline));
     const XYZd white = shown_as_white(pipeline.scene_white, pipeline.display);
     const XYZ display_white{static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
     const std::optional<Image<XYZ>> before = before_tone_mapping(scene, pipeline, threads);

@@ -24,8 +24,9 @@ void PictureEncoder::operator()(int y, int x0, std::span<RGB> pixels) {
         const std::span<RGB> encoded = pixels.first(display.size());
         make_(y, x0, display);
         display_rgb(conversion_, display, encoded);
-        counts_[static_cast<std::size_t>(y)] += map_gamut(mapper_, gamut_, encoded);
-        encode_(encoded);
+        GamutCounts& counts = counts_[static_cast<std::size_t>(y)];
+        counts += map_gamut(mapper_, gamut_, encoded);
+        counts.uncoded += encode_(encoded);
         pixels = pixels.subspan(encoded.size());
         x0 += static_cast<int>(encoded.size());
     }

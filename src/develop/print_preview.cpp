@@ -98,7 +98,7 @@ Image<CodeRGB> composite(const PrintPlates& plates, int threads) {
 
 Image<CodeRGB> plate_sheet(const PrintPlates& plates) {
     const int width = plates.cmy.width(), height = plates.cmy.height();
-    TileSheet sheet(width, height, {"cyan", "magenta", "yellow", "black"}, 2, plates.scale);
+    TileSheet sheet(width, height, {"cyan", "magenta", "yellow", "black"}, 2, sheet_greys(plates.scale));
     for (const auto component : {&CodeRGB::r, &CodeRGB::g, &CodeRGB::b}) {
         sheet.add(grey_tile(width, height, [&](int x, int y) { return plates.cmy(x, y).*component; }));
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spectrum/chromaticity_polygon.h"
+#include "spectrum/oklab.h"
 
 namespace emulsion {
 
@@ -34,6 +35,16 @@ void check_triangle(const CustomDisplay& display) {
     throw std::invalid_argument("display custom: white " + text_of(space.white) +
                                 ": must lie inside the triangle of the " + given + ", " +
                                 number_text(kLeastWhiteDistance) + " or more from its sides");
+}
+
+void check_white(const CustomDisplay& display) {
+    const XYZd white = xyz_of({display.wx, display.wy});
+    for (const double response : kOklabConesFromXyz* std::array{white.x, white.y, white.z}) {
+        if (response > 0.0) continue;
+        throw std::invalid_argument("display custom: wx = " + number_text(display.wx) +
+                                    ", wy = " + number_text(display.wy) +
+                                    ": a white that no light has, expected one that all three kinds of cones see");
+    }
 }
 
 }  // namespace emulsion

@@ -50,4 +50,8 @@ inline constexpr double kLeastWhiteDistance = 0.001;
 /// white isn't kLeastWhiteDistance inside their triangle.
 void check_triangle(const CustomDisplay& display);
 
+/// That each of Oklab's cones responds to the white, as it does to every light: few whites inside a triangle are none.
+/// \throws std::invalid_argument naming the display, wx and wy if one doesn't.
+void check_white(const CustomDisplay& display);
+
 }  // namespace emulsion

@@ -13,11 +13,23 @@ RgbSpace space_of(const PresetDisplay<Preset>& display) {
 
 RgbSpace space_of(const CustomDisplay& display) { return rgb_space(display); }
 
+template <class T>
+TransferFunction transfer_of(const T& display) noexcept {
+    return display.kTransfer;
+}
+
+TransferFunction transfer_of(const Rec2020Display& display) noexcept {
+    return Bt1886Transfer{display.black_cdm2, display.peak_cdm2};
+}
+
 }  // namespace
 
 void validate(const Display& display) {
     validate_named(display, "display");
-    if (const auto* custom = std::get_if<CustomDisplay>(&display)) check_triangle(*custom);
+    if (const auto* custom = std::get_if<CustomDisplay>(&display)) {
+        check_triangle(*custom);
+        check_white(*custom);
+    }
 }
 
 RgbSpace rgb_space(const Display& display) {
@@ -25,7 +37,7 @@ RgbSpace rgb_space(const Display& display) {
 }
 
 TransferFunction own_transfer(const Display& display) noexcept {
-    return visit_noexcept([](const auto& chosen) { return TransferFunction(chosen.kTransfer); }, display);
+    return visit_noexcept([](const auto& chosen) { return transfer_of(chosen); }, display);
 }
 
 DisplayLight light_of(const Display& display) noexcept {

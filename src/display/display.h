@@ -18,14 +18,14 @@ namespace emulsion {
 using Display = std::variant<SrgbDisplay, DisplayP3, Rec2020Display, AdobeRgbDisplay, DciP3Display, CrtDisplay,
                              Hdr10Display, HlgDisplay, CustomDisplay>;
 
-/// \throws std::invalid_argument naming display, parameter, value and range; as check_triangle() for measured
-/// primaries.
+/// \throws std::invalid_argument naming display, parameter, value and range; as check_triangle() and
+/// check_white() for measured primaries.
 void validate(const Display& display);
 
 /// Primaries and white.
 [[nodiscard]] RgbSpace rgb_space(const Display& display);
 
-/// The transfer function that the display undoes: "transfer=own".
+/// The transfer function that the display undoes: "transfer=own". BT.1886 has the display's black and peak in it.
 [[nodiscard]] TransferFunction own_transfer(const Display& display) noexcept;
 
 [[nodiscard]] DisplayLight light_of(const Display& display) noexcept;

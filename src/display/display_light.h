@@ -46,4 +46,11 @@ struct SignalScale {
     return {(light.peak_cdm2 + light.flare_cdm2) / span, (light.black_cdm2 + light.flare_cdm2) / span};
 }
 
+/// Luminance that is shown for a signal, without flare, relative to white's: black / peak + signal (1 - black / peak).
+/// Exactly the signal without a black.
+[[nodiscard]] constexpr double shown_share(const DisplayLight& light, double signal) noexcept {
+    const double black = light.black_cdm2 / light.peak_cdm2;
+    return black * (1.0 - signal) + signal;
+}
+
 }  // namespace emulsion

@@ -50,7 +50,7 @@ struct DisplayP3Preset : AnyPeak {
 };
 
 /// Source: ITU-R BT.2020-2; BT.2035 for the luminance. Its display curve is that of BT.1886: what BT.2020 itself gives
-/// is the camera's.
+/// is the camera's. In own_transfer() it has the display's black and peak.
 struct Rec2020Preset : AnyPeak {
     static constexpr std::string_view kName = "rec2020", kSpace = "Rec2020";
     static constexpr std::string_view kHelp = "BT.2020 primaries, D65 white, the display curve of BT.1886";

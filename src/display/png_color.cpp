@@ -38,11 +38,13 @@ std::optional<double> exponent_of(const Transfer& /*transfer*/) noexcept {
     return std::nullopt;
 }
 
-/// Whether libpng takes it for cHRM: numbers that are no less than 0, also of z = 1 - x - y, and a white that has
-/// light.
+/// Whether it is fit for cHRM: libpng takes numbers that are no less than 0, also of z = 1 - x - y, and a white that
+/// has light; pngcheck finds fault with those above 0.8, which no stimulus of the first standards had.
 bool fits_chrm(const Chromaticity& c, double least_y) noexcept {
     constexpr double kHalfStep = 5e-6;
-    return c.x > -kHalfStep && c.y > least_y - kHalfStep && c.x + c.y < 1.0 + kHalfStep;
+    constexpr double kMost = 0.8;
+    return c.x > -kHalfStep && c.y > least_y - kHalfStep && c.x < kMost + kHalfStep && c.y < kMost + kHalfStep &&
+           c.x + c.y < 1.0 + kHalfStep;
 }
 bool fits_chrm(const RgbSpace& space) noexcept {
     return fits_chrm(space.red, 0.0) && fits_chrm(space.green, 0.0) && fits_chrm(space.blue, 0.0) &&

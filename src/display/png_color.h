@@ -40,9 +40,9 @@ using PngColor = std::variant<PngSrgb, PngGamma, PngProfile, PngCodePoints>;
 
 /// PngSrgb for sRGB; PngGamma for linear light, pure powers and BT.1886 without a black of its own; PngCodePoints for
 /// PQ, HLG and every narrow range, which nothing else can say; PngProfile for the rest, and for primaries of a pure
-/// power that gAMA and cHRM can't say (a negative x or y, or x + y above 1: cHRM has whole numbers of 1e-5). \throws
-/// std::invalid_argument naming what no chunk says: for PngCodePoints primaries or transfer functions without a number
-/// in H.273, BT.1886 among them, which has none as it is no camera's.
+/// power that gAMA and cHRM can't say (an x or y below 0 or above 0.8, or x + y above 1: cHRM has whole numbers of
+/// 1e-5). \throws std::invalid_argument naming what no chunk says: for PngCodePoints primaries or transfer functions
+/// without a number in H.273, BT.1886 among them, which has none as it is no camera's.
 [[nodiscard]] PngColor png_color(const ColorEncoding& encoding);
 
 }  // namespace emulsion

@@ -1,5 +1,6 @@
 #include "display/transfer_encoder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,12 +53,16 @@ AnyEncoder encoder_of(const GammaTransfer& transfer) {
     return encoder_of<GammaTransfer>(transfer);
 }
 
-AnyEncoder encoder_of(const Bt1886Transfer& transfer) {
-    const float black = last_float_of_toe(decode(transfer, 0.0));
-    if (black < kLeastFloat) return encoder_of<Bt1886Transfer>(transfer);
-    const auto curve = [&](double x) { return encode(transfer, x); };
-    return StraightToeCurve{black, 0.0f, 0.0f, CurveTable(curve, black)};
+AnyEncoder encoder_of_shown(const Bt1886Transfer& transfer, const DisplayLight& light) {
+    const auto curve = [&](double x) { return encode(transfer, shown_share(light, x)); };
+    const double dark = shown_share(light, 0.0);
+    const double knee = (decode(transfer, 0.0) - dark) / (1.0 - dark);
+    const float last = last_float_of_toe(std::max(knee, 0.0));
+    if (last < kLeastFloat) return encoder_of_curve(curve);
+    return StraightToeCurve{last, 0.0f, 0.0f, CurveTable(curve, last)};
 }
+
+AnyEncoder encoder_of(const Bt1886Transfer& transfer) { return encoder_of_shown(transfer, {.black_cdm2 = 0.0}); }
 
 AnyEncoder encoder_of(const TableTransfer& transfer) { return ExactEncoder<TableTransfer>{transfer}; }
 
@@ -92,6 +97,9 @@ TransferEncoder::TransferEncoder(const TransferFunction& transfer) {
 
 TransferEncoder::TransferEncoder(const PqTransfer& transfer, const DisplayLight& light)
     : encoder_(encoder_of_curve([&](double x) { return encode(transfer, pq_linear(light, x)); })) {}
+
+TransferEncoder::TransferEncoder(const Bt1886Transfer& transfer, const DisplayLight& light)
+    : encoder_(encoder_of_shown(transfer, light)) {}
 
 void TransferEncoder::operator()(std::span<RGB> linear) const noexcept {
     visit_noexcept([&](const auto& encoder) { encode_all(encoder, linear); }, encoder_);

@@ -40,6 +40,10 @@ class TransferEncoder {
     /// 6.4e-8 of that; 1 goes to the code of the peak.
     TransferEncoder(const PqTransfer& transfer, const DisplayLight& light);
 
+    /// BT.1886 of the same: encode(transfer, shown_share(light, x)), since its codes stand for all light that the
+    /// display gives, its black with it. Codes below 0 are 0.
+    TransferEncoder(const Bt1886Transfer& transfer, const DisplayLight& light);
+
     /// In place. Components in [0, 1].
     void operator()(std::span<RGB> linear) const noexcept;
 

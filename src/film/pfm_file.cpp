@@ -124,9 +124,14 @@ void write_pfm(const std::filesystem::path& path, const Image<XYZ>& xyz, const S
 
 ScenePicture read_pfm(const std::filesystem::path& path) {
     const std::string bytes = read_text_file(path);
-    const Header header = read_header(path, bytes);
+    Header header = read_header(path, bytes);
     const std::size_t pixel_bytes = 4 * header.channels;
     const std::size_t count = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    // Lines that end in CR LF: of the two, one was read. A sample may begin with LF: then there is no byte left over.
+    if (bytes[header.begin - 1] == '\r' && bytes.size() - header.begin == count * pixel_bytes + 1 &&
+        bytes[header.begin] == '\n') {
+        ++header.begin;
+    }
     const std::size_t there = bytes.size() - header.begin;
     if (there / pixel_bytes < count) {
         throw IoError(path, "PFM of " + std::to_string(header.width) + "x" + std::to_string(header.height) +

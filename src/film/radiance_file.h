@@ -11,8 +11,9 @@ namespace emulsion {
 
 /// Components of linear Rec. 709 that the format could not hold.
 struct RadianceWriteResult {
-    std::int64_t negative_count = 0;    ///< finite, below 0 (colours outside the gamut of Rec. 709): stored as 0
-    std::int64_t too_high_count = 0;    ///< finite, above 1.69e38: stored as that
+    std::int64_t negative_count = 0;  ///< finite, below 0 by more than 2^-20 of the pixel's largest component (colours
+                                      ///< outside the gamut of Rec. 709): stored as 0, as those of rounding are
+    std::int64_t too_high_count = 0;  ///< finite, above 1.69e38: stored as that
     std::int64_t non_finite_count = 0;  ///< NaN: stored as 0; infinite: as 0 or 1.69e38
     bool operator==(const RadianceWriteResult&) const = default;
 };

@@ -96,9 +96,11 @@ void read_variable(std::string_view line, const LineReader& lines, RadianceHeade
     if (line.starts_with('#') || equals == std::string_view::npos) return;
     const std::string_view name = line.substr(0, equals), text = line.substr(equals + 1);
     if (name == "FORMAT") {
-        if (text == "32-bit_rle_rgbe") {
+        const std::vector<std::string_view> words = words_of(text);
+        const std::string_view format = words.size() == 1 ? words[0] : text;
+        if (format == "32-bit_rle_rgbe") {
             header.format = RadianceFormat::rgbe;
-        } else if (text == "32-bit_rle_xyze") {
+        } else if (format == "32-bit_rle_xyze") {
             header.format = RadianceFormat::xyze;
         } else {
             lines.fail("FORMAT " + quoted(text), "32-bit_rle_rgbe or 32-bit_rle_xyze");

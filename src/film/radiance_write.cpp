@@ -18,14 +18,17 @@ namespace emulsion {
 
 namespace {
 
+/// Below 0 by no more than this of the pixel's largest component is rounding in the matrix from XYZ, not a colour.
+constexpr float kRounding = 0x1p-20f;
+
 /// What can be stored instead; counts what can't be itself.
-float storable(float value, RadianceWriteResult& result) noexcept {
+float storable(float value, float largest, RadianceWriteResult& result) noexcept {
     constexpr float kLargest = 255.0f / 256.0f * 0x1p127f;
     if (!std::isfinite(value)) {
         ++result.non_finite_count;
         return value > 0.0f ? kLargest : 0.0f;
     }
-    if (value < 0.0f) ++result.negative_count;
+    if (value < 0.0f && !(-value <= kRounding * largest)) ++result.negative_count;
     if (value > kLargest) ++result.too_high_count;
     return std::clamp(value, 0.0f, kLargest);
 }
@@ -87,7 +90,9 @@ RadianceWriteResult write_radiance(const std::filesystem::path& path, const Imag
         bytes.clear();
         std::transform(xyz.row(y).begin(), xyz.row(y).end(), row.begin(), [&](const XYZ& pixel) {
             const RGB rgb = to_rgb(pixel);
-            return to_rgbe({storable(rgb.r, result), storable(rgb.g, result), storable(rgb.b, result)});
+            const float largest = std::max({rgb.r, rgb.g, rgb.b});
+            return to_rgbe(
+                {storable(rgb.r, largest, result), storable(rgb.g, largest, result), storable(rgb.b, largest, result)});
         });
         put_row(row, bytes);
         stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

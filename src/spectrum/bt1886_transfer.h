@@ -16,12 +16,12 @@ namespace emulsion {
 struct Bt1886Transfer {
     static constexpr std::string_view kName = "bt1886";
     static constexpr std::string_view kHelp = "display curve of BT.1886, a power of 2.4 above its black";
-    double black_cdm2 = 0.0;    ///< in [0, 1]
+    double black_cdm2 = 0.0;    ///< in [0, 5]
     double white_cdm2 = 100.0;  ///< in [10, 10000]
     bool operator==(const Bt1886Transfer&) const = default;
 
     static constexpr std::array kParameters = {
-        Parameter<Bt1886Transfer>{"black", &Bt1886Transfer::black_cdm2, {0.0, 1.0}, "cd/m^2", "luminance of code 0"},
+        Parameter<Bt1886Transfer>{"black", &Bt1886Transfer::black_cdm2, {0.0, 5.0}, "cd/m^2", "luminance of code 0"},
         Parameter<Bt1886Transfer>{
             "white", &Bt1886Transfer::white_cdm2, {10.0, 10000.0}, "cd/m^2", "luminance of code 1"}};
 };

@@ -67,6 +67,21 @@ TEST(ContactSheet, StripOfExposuresStandsInOneRow) {
     EXPECT_EQ(count_of(sheet, {255, 255, 255}), 32 * 32);
 }
 
+// Codes of PQ are luminances up to 10000 cd/m^2: the sheet's own greys are of the display's white, too.
+TEST(ContactSheet, NoneOfItIsBrighterThanTheDisplay) {
+    Image<XYZ> scene(32, 32);
+    for (XYZ& pixel : scene.pixels()) pixel = {0.9505f, 1.0f, 1.089f};
+    const Pipeline pipeline{.display = Hdr10Display{}, .bits = 10, .dither = NoDither{}};
+    const Image<CodeRGB> sheet = contact_sheet(scene, pipeline, exposure_tiles(1.0), 32, 1);
+    const double peak = encode(PqTransfer{}, 0.1),
+                 ink = encode(PqTransfer{}, 0.1 * decode(SrgbTransfer{}, 220.0 / 255));
+    std::uint16_t brightest = 0;
+    for (const CodeRGB& pixel : sheet.pixels()) brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
+    EXPECT_EQ(brightest, std::lround(1023.0 * peak));
+    const auto label = static_cast<std::uint16_t>(std::lround(1023.0 * ink));
+    EXPECT_GT(count_of(sheet, {label, label, label}), 50);
+}
+
 TEST(ContactSheet, RejectsWhatItCannotDraw) {
     const Image<XYZ> scene(8, 8);
     EXPECT_THROW((void)contact_sheet(scene, {}, operator_tiles(), 15, 1), std::invalid_argument);

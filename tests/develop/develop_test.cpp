@@ -223,8 +223,8 @@ TEST(Develop, IsItsStagesOneAfterTheOther) {
             const ToneMapResult mapped = tone_map({mapper}, scene.view(), narrow, 1);
             Image<RGB> encoded(scene.width(), scene.height());
             display_rgb(rgb_from_xyz(pipeline.display), mapped.image.pixels(), encoded.pixels());
-            const GamutCounts counts = map_gamut(pipeline.gamut, display_gamut(pipeline.display), encoded.pixels());
-            DisplayEncoder(pipeline.display, transfer_of(pipeline))(encoded.pixels());
+            GamutCounts counts = map_gamut(pipeline.gamut, display_gamut(pipeline.display), encoded.pixels());
+            counts.uncoded = DisplayEncoder(pipeline.display, transfer_of(pipeline))(encoded.pixels());
             EXPECT_EQ(result.image, quantize(dither, std::as_const(encoded).view(), {}, 1)) << to_text(pipeline);
             EXPECT_EQ(result.report.gamut, counts) << to_text(pipeline);
             EXPECT_EQ(result.report.luminance, mapped.statistics) << to_text(pipeline);

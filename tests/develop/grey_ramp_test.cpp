@@ -64,12 +64,18 @@ std::optional<double> grey_of(const Pipeline& pipeline, double encoded) {
     const DisplayLight light = light_of(pipeline.display);
     const TransferFunction transfer = transfer_of(pipeline);
     double signal = decode(transfer, encoded);
+    std::optional<double> shown;
     if (std::holds_alternative<PqTransfer>(transfer)) {
-        signal = (signal * PqTransfer::kPeak_cdm2 - light.black_cdm2) / (light.peak_cdm2 - light.black_cdm2);
+        shown = signal * PqTransfer::kPeak_cdm2 / light.peak_cdm2;
     }
+    if (std::holds_alternative<Bt1886Transfer>(transfer)) shown = signal;
     if (std::holds_alternative<HlgTransfer>(transfer) && std::holds_alternative<HlgDisplay>(pipeline.display)) {
-        signal = std::pow(signal, hlg_system_gamma(light.peak_cdm2));
+        const double gamma = hlg_system_gamma(light.peak_cdm2);
+        const double lift = std::sqrt(3.0 * std::pow(light.black_cdm2 / light.peak_cdm2, 1.0 / gamma));
+        shown = std::pow(decode(transfer, (1.0 - lift) * encoded + lift), gamma);
     }
+    // Of these three codes, the light of white with the display's black in it.
+    if (shown) signal = (*shown * light.peak_cdm2 - light.black_cdm2) / (light.peak_cdm2 - light.black_cdm2);
     const bool in_gap = std::holds_alternative<Bt709Transfer>(transfer) && encoded > 0.081 && encoded < 0.08125;
     if (signal > 1.0 || signal < 0.0 || in_gap) return {};
     const SignalScale scale = signal_scale(light);

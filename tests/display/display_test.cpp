@@ -48,6 +48,7 @@ TEST(Display, OwnTransferFunctionsAndPeaks) {
     EXPECT_EQ(own_transfer(SrgbDisplay{}), TransferFunction(SrgbTransfer{}));
     EXPECT_EQ(own_transfer(DisplayP3{}), TransferFunction(SrgbTransfer{}));
     EXPECT_EQ(own_transfer(Rec2020Display{}), TransferFunction(Bt1886Transfer{}));
+    EXPECT_EQ(own_transfer(Rec2020Display{300.0, 2.0}), TransferFunction(Bt1886Transfer{2.0, 300.0}));
     EXPECT_EQ(own_transfer(AdobeRgbDisplay{}), TransferFunction(AdobeRgbTransfer{}));
     EXPECT_EQ(own_transfer(DciP3Display{}), TransferFunction(GammaTransfer{2.6}));
     EXPECT_EQ(own_transfer(CrtDisplay{}), TransferFunction(GammaTransfer{2.5}));
@@ -83,6 +84,14 @@ TEST(Display, AWhiteThatIsNotInsideIsRefused) {
               "0.6), (0.15, 0.06), 0.001 or more from its sides");
     display.wx = 0.64, display.wy = 0.33;
     EXPECT_THAT(message_of(display), testing::HasSubstr("must lie inside the triangle"));
+}
+
+// Inside of a triangle, which may be larger than the spectral locus: Oklab's L cones don't respond to it.
+TEST(Display, AWhiteThatNoLightHasIsRefused) {
+    const CustomDisplay display{.bx = 0.0, .by = 0.0, .wx = 0.05, .wy = 0.05};
+    EXPECT_EQ(message_of(display),
+              "display custom: wx = 0.05, wy = 0.05: a white that no light has, expected one that all three kinds of "
+              "cones see");
 }
 
 TEST(Display, ParametersOutOfRangeAreNamed) {

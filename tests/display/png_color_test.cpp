@@ -140,10 +140,33 @@ std::vector<ColorEncoding> one_of_each() {
             encoding("Display_P3", SrgbTransfer{}), encoding("Rec2020", PqTransfer{})};
 }
 
+/// Pure powers with primaries at the ends of what cHRM has, in and out.
+std::vector<ColorEncoding> with_far_primaries() {
+    std::vector<ColorEncoding> all;
+    for (const double y : {0.7999, 0.8, 0.80001, 0.8264, 1.0}) {
+        all.push_back({{"far", {0.7347, 0.2653}, {0.0, y}, {0.1566, 0.0177}, {0.3127, 0.329}}, GammaTransfer{2.2}, {}});
+        all.push_back({{"far", {y, 1.0 - y}, {0.2, 0.7}, {0.1566, 0.0177}, {0.3127, 0.329}}, LinearTransfer{}, {}});
+    }
+    for (const char* space : {"ACES2065_1_AP0", "ROMM_ProPhoto", "Rec2020", "ACEScg_AP1"}) {
+        all.push_back(encoding(space, GammaTransfer{1.8}));
+    }
+    return all;
+}
+
+TEST(PngColor, PrimariesAbove0_8AreSaidByAProfile) {
+    for (const ColorEncoding& color : with_far_primaries()) {
+        const RgbSpace& space = color.space;
+        const bool fits = std::max({space.red.x, space.green.y}) <= 0.8 && space.blue.y >= 0.0;
+        EXPECT_EQ(std::holds_alternative<PngGamma>(png_color(color)), fits) << space.red.x << ' ' << space.green.y;
+    }
+}
+
 TEST(PngColor, PngcheckIsContent) {
     if (said_by("pngcheck -h").first == -1) GTEST_SKIP() << "pngcheck is not installed";
     const TemporaryFolder folder;
-    for (const ColorEncoding& color : one_of_each()) {
+    std::vector<ColorEncoding> all = one_of_each();
+    for (const ColorEncoding& color : with_far_primaries()) all.push_back(color);
+    for (const ColorEncoding& color : all) {
         write_png(folder.file("a.png"), Image<CodeRGB>(3, 2),
                   {.color = color, .text = {{"Pipeline", "tonemap=zone"}, {"Author", "caf\xc3\xa9"}}});
         const auto [code, text] = said_by("pngcheck -q '" + folder.file("a.png") + "'");

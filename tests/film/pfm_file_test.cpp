@@ -93,6 +93,7 @@ TEST(PfmFile, ReadsBothByteOrdersColourAndGrey) {
     const XYZ color = xyz_of_rgb({1, 2, 1}), white = xyz_of_rgb({2, 2, 2});
     expect_near(read("PF 1 1 1\n" + kOne + kTwo + kOne).xyz(0, 0), color, 1e-6);
     expect_near(read("PF\n1 1\n-1\n" + kOneLittle + kTwoLittle + kOneLittle).xyz(0, 0), color, 1e-6);
+    EXPECT_EQ(read("Pf\r\n1 2\r\n1.0\r\n" + kOne + kTwo).xyz, read("Pf\n1 2\n1.0\n" + kOne + kTwo).xyz);
     const ScenePicture grey = read("Pf\n1\t2\r\n1.0\n" + kOne + kTwo);
     EXPECT_EQ(grey.xyz.height(), 2);
     expect_near(grey.xyz(0, 0), white, 1e-6);  // the second in the file

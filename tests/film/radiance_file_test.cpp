@@ -125,6 +125,18 @@ TEST(RadianceFile, RgbeIsTheNearest) {
     }
 }
 
+// Colours on the faces of Rec. 709's gamut, from XYZ in single precision: rounding puts them outside by some 1e-7.
+TEST(RadianceFile, RoundingIsNoColourOutsideItsGamut) {
+    const TemporaryFolder folder;
+    Image<XYZ> image(64, 64);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) image(x, y) = xyz_of_rgb({100.0 * x / 63.0, y / 63.0, 0.0});
+    }
+    EXPECT_EQ(write_radiance(folder.file("a.hdr"), image).negative_count, 0);
+    image(5, 5) = xyz_of_rgb({1.0, 0.5, -2e-6});
+    EXPECT_EQ(write_radiance(folder.file("a.hdr"), image).negative_count, 1);
+}
+
 TEST(RadianceFile, CountsWhatItCannotHold) {
     const TemporaryFolder folder;
     Image<XYZ> image(4, 1);
