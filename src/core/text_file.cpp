@@ -37,7 +37,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
     std::ofstream stream(file.temporary_path(), std::ios::binary | std::ios::trunc);
     stream << text;
     stream.close();
-    if (!stream) throw IoError(path, "writing failed");
+    if (!stream) throw IoError(path, "cannot write: " + errno_text(errno));
     file.commit();
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -36,6 +37,14 @@ std::string printable(std::string_view bytes) {
 }  // namespace
 
 ScenePicture read_picture(const std::filesystem::path& path, int threads) {
+    constexpr const char* kExpected = "expected an OpenEXR, Radiance (#?), PFM (PF or Pf) or PNG file";
+    std::error_code error;
+    const auto type = std::filesystem::status(path, error).type();
+    if (type == std::filesystem::file_type::directory) throw IoError(path, std::string("is a folder, ") + kExpected);
+    if (std::filesystem::exists(std::filesystem::file_status(type)) && type != std::filesystem::file_type::regular) {
+        throw IoError(path, std::string("is not a regular file, ") + kExpected);
+    }
+    if (std::filesystem::file_size(path, error) == 0) throw IoError(path, std::string("is empty, ") + kExpected);
     const std::string begin = beginning_of(path);
     if (begin.starts_with("#?")) return read_radiance(path);
     if (begin.starts_with("PF") || begin.starts_with("Pf")) return read_pfm(path);
@@ -46,8 +55,7 @@ ScenePicture read_picture(const std::filesystem::path& path, int threads) {
     }
     const bool is_exr = begin == "\x76\x2f\x31\x01";
     if (!begin.empty() && !is_exr) {
-        throw IoError(path, "begins with \"" + printable(begin) +
-                                "\": expected an OpenEXR, Radiance (#?), PFM (PF or Pf) or PNG file");
+        throw IoError(path, "begins with \"" + printable(begin) + "\": " + kExpected);
     }
     FilmImage film = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
     return {std::move(film.xyz), std::move(film.notes)};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -27,11 +28,13 @@ void put_float(float value, std::string& bytes) {
     for (const unsigned shift : {0u, 8u, 16u, 24u}) bytes += static_cast<char>(bits >> shift & 0xffu);
 }
 
+enum class ByteOrder { little_endian, big_endian };
+
 /// Four bytes from `at` on.
-float float_at(std::string_view bytes, std::size_t at, bool little) noexcept {
+float float_at(std::string_view bytes, std::size_t at, ByteOrder order) noexcept {
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t from_top = little ? 3 - i : i;
+        const std::size_t from_top = order == ByteOrder::little_endian ? 3 - i : i;
         bits = bits << 8u | static_cast<unsigned char>(bytes[at + from_top]);
     }
     return std::bit_cast<float>(bits);
@@ -118,7 +121,7 @@ void write_pfm(const std::filesystem::path& path, const Image<XYZ>& xyz, const S
         stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     }
     stream.close();
-    if (!stream) throw IoError(path, "writing failed");
+    if (!stream) throw IoError(path, "cannot write: " + errno_text(errno));
     file.commit();
 }
 
@@ -145,12 +148,13 @@ ScenePicture read_pfm(const std::filesystem::path& path) {
     if (there != count * pixel_bytes) picture.notes.emplace_back("bytes behind the picture were left out");
 
     const RgbInput input(rgb_space("Rec709"));
+    const ByteOrder order = header.scale < 0.0f ? ByteOrder::little_endian : ByteOrder::big_endian;
     std::size_t at = header.begin;
     for (int y = header.height - 1; y >= 0; --y) {
         for (XYZ& pixel : picture.xyz.row(y)) {
             std::array<float, 3> sample{};
             for (std::size_t c = 0; c < header.channels; ++c) {
-                sample[c] = float_at(bytes, at + 4 * c, header.scale < 0.0f);
+                sample[c] = float_at(bytes, at + 4 * c, order);
             }
             if (header.channels == 1) sample[1] = sample[2] = sample[0];
             at += pixel_bytes;

@@ -115,12 +115,12 @@ std::vector<Rgbe> read_lines(ScanLines& lines, const RadianceHeader& header) {
     return pixels;
 }
 
-std::vector<std::string> notes_of(const RadianceHeader& header, bool at_end) {
+std::vector<std::string> notes_of(const RadianceHeader& header, const ScanLines& lines) {
     std::vector<std::string> notes;
     if (!header.format) notes.emplace_back("no FORMAT: taken as 32-bit_rle_rgbe");
     if (!header.space && header.format != RadianceFormat::xyze) notes.emplace_back(kNoPrimariesNote);
     notes.emplace_back(kNoWhiteLuminanceNote);
-    if (!at_end) notes.emplace_back("bytes behind the picture were left out");
+    if (!lines.at_end()) notes.emplace_back("bytes behind the picture were left out");
     return notes;
 }
 
@@ -132,7 +132,7 @@ ScenePicture read_radiance(const std::filesystem::path& path) {
     ScanLines lines(path, bytes, header.begin);
     const std::vector<Rgbe> pixels = read_lines(lines, header);
 
-    ScenePicture picture{Image<XYZ>(header.width, header.height), notes_of(header, lines.at_end())};
+    ScenePicture picture{Image<XYZ>(header.width, header.height), notes_of(header, lines)};
     const RgbInput input(header.space.value_or(rgb_space("Rec709")));
     std::array<float, 3> factor{};
     for (std::size_t i = 0; i < 3; ++i) factor[i] = static_cast<float>(1.0 / (header.exposure * header.correction[i]));

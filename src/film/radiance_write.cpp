@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -98,7 +99,7 @@ RadianceWriteResult write_radiance(const std::filesystem::path& path, const Imag
         stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     }
     stream.close();
-    if (!stream) throw IoError(path, "writing failed");
+    if (!stream) throw IoError(path, "cannot write: " + errno_text(errno));
     file.commit();
     return result;
 }

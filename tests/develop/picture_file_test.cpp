@@ -124,9 +124,13 @@ TEST(PictureFile, OtherFilesAreNamed) {
                 testing::ThrowsMessage<IoError>(AllOf(HasSubstr("a.jpg: begins with \"????\""), HasSubstr("OpenEXR"),
                                                       HasSubstr("Radiance"), HasSubstr("PFM"), HasSubstr("PNG"))));
     EXPECT_THROW((void)read_picture(folder.file("none.exr"), 0), IoError);
-    EXPECT_THROW((void)read_picture(folder.path(), 0), IoError);
+    EXPECT_THAT([&] { (void)read_picture(folder.path(), 0); },
+                testing::ThrowsMessage<IoError>(HasSubstr("is a folder, expected an OpenEXR, Radiance")));
+    EXPECT_THAT([&] { (void)read_picture("/dev/null", 0); },
+                testing::ThrowsMessage<IoError>(HasSubstr("is not a regular file, expected an OpenEXR, Radiance")));
     write_text(folder.file("empty"), "");
-    EXPECT_THROW((void)read_picture(folder.file("empty"), 0), IoError);
+    EXPECT_THAT([&] { (void)read_picture(folder.file("empty"), 0); },
+                testing::ThrowsMessage<IoError>(HasSubstr("is empty, expected an OpenEXR, Radiance")));
 }
 
 }  // namespace
