@@ -24,6 +24,7 @@ void* allocate_pixels(std::size_t bytes) {
     return pixels;
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-no-malloc): what std::aligned_alloc gives is to be freed so
 void free_pixels(void* pixels) noexcept { std::free(pixels); }
 
 }  // namespace emulsion

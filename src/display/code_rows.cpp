@@ -27,8 +27,8 @@ struct ValueTags {
 /// Calls step(tags, i) for vectors of [0, count), and for what is left over value by value.
 template <class Step>
 HWY_INLINE void for_each_value(std::size_t count, const Step& step) {
-    const ValueTags<hn::ScalableTag<double>> many;
-    const ValueTags<hn::CappedTag<double, 1>> one;
+    const ValueTags<hn::ScalableTag<double>> many{};
+    const ValueTags<hn::CappedTag<double, 1>> one{};
     std::size_t i = 0;
     for (; i + hn::Lanes(many.doubles) <= count; i += hn::Lanes(many.doubles)) step(many, i);
     for (; i < count; ++i) step(one, i);

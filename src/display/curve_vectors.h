@@ -25,9 +25,9 @@ using CurveFloats = hwy::HWY_NAMESPACE::CappedTag<float, 8>;
 using CurveVector = hwy::HWY_NAMESPACE::Vec<CurveFloats>;
 
 /// Of every four segments at these offsets, in bytes, number `which`; those of the upper four in the upper half.
-template <std::size_t kLanes>
+template <std::size_t Lanes>
 HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
-                                     const std::array<std::uint32_t, kLanes>& offsets, std::size_t which) {
+                                     const std::array<std::uint32_t, Lanes>& offsets, std::size_t which) {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::FixedTag<float, 4> four;
     const auto segment = [&](std::size_t i) {
@@ -35,10 +35,10 @@ HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
         return hn::Load(four, reinterpret_cast<const float*>(reinterpret_cast<const char*>(segments) + offsets[i]));
     };
     const auto lower = segment(which);
-    if constexpr (kLanes == 8) {
+    if constexpr (Lanes == 8) {
         return hn::Combine(CurveFloats(), segment(which + 4), lower);
     } else {
-        static_assert(kLanes == 4);
+        static_assert(Lanes == 4);
         return lower;
     }
 }

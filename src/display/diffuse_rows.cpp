@@ -48,11 +48,14 @@ class ErrorRows {
           bands_(wavefront.bands_at_once() + 2),
           places_(rows_ == 1 ? 1 : kTurns + reach) {}
 
-    [[nodiscard]] std::size_t count() const noexcept { return static_cast<std::size_t>(bands_ * places_); }
+    [[nodiscard]] std::size_t count() const noexcept {
+        return static_cast<std::size_t>(bands_) * static_cast<std::size_t>(places_);
+    }
     [[nodiscard]] std::size_t place_of(int y) const noexcept {
         const int row = y % rows_, from_last = rows_ - 1 - row;
         const int place = rows_ > 1 && from_last < reach_ ? kTurns + from_last : row % kTurns;
-        return static_cast<std::size_t>(y / rows_ % bands_ * places_ + place);
+        const int band = y / rows_ % bands_;
+        return static_cast<std::size_t>(band) * static_cast<std::size_t>(places_) + static_cast<std::size_t>(place);
     }
 
   private:

@@ -10,7 +10,7 @@ namespace emulsion {
 
 /// offset + slope x for x <= last, the table above.
 struct StraightToeCurve {
-    float last, slope, offset;
+    float last = 0.0f, slope = 0.0f, offset = 0.0f;
     CurveTable above;
 
     [[nodiscard]] float operator()(float x) const noexcept { return x <= last ? offset + slope * x : above(x); }
@@ -18,7 +18,7 @@ struct StraightToeCurve {
 
 /// sqrt(3 x) for x <= last, the table above.
 struct SquareRootToeCurve {
-    float last;
+    float last = 0.0f;
     CurveTable above;
 
     [[nodiscard]] float operator()(float x) const noexcept { return x <= last ? std::sqrt(3.0f * x) : above(x); }

@@ -34,23 +34,28 @@ HWY_INLINE hn::Vec<Tag> clipped(Tag tag, hn::Vec<Tag> v) {
     return hn::Min(hn::IfThenElseZero(hn::Gt(v, hn::Zero(tag)), v), hn::Set(tag, 1.0f));
 }
 
-/// Pixels in vectors by component, and what of them is outside.
+/// Pixels in vectors by component, numbers all, and what of them is outside.
 template <class Tag>
 struct Measured {
     hn::Vec<Tag> r, g, b, excess;
-    std::int64_t outside, nan;
-
-    HWY_INLINE Measured(Tag tag, const float* pixels) : r(hn::Zero(tag)), g(r), b(r), excess(r), outside(0), nan(0) {
-        hn::LoadInterleaved3(tag, pixels, r, g, b);
-        // Each component by itself: sums of infinities would be NaN.
-        const auto is_number = hn::And(hn::And(hn::Eq(r, r), hn::Eq(g, g)), hn::Eq(b, b));
-        r = number(tag, r), g = number(tag, g), b = number(tag, b);
-        excess = hn::Max(hn::Max(distance(tag, r), distance(tag, g)), distance(tag, b));
-        const auto is_outside = hn::And(is_number, hn::Gt(excess, hn::Set(tag, kGamutTolerance)));
-        nan = static_cast<std::int64_t>(hn::Lanes(tag) - hn::CountTrue(tag, is_number));
-        outside = static_cast<std::int64_t>(hn::CountTrue(tag, is_outside));
-    }
+    GamutCounts counts;
 };
+
+template <class Tag>
+HWY_INLINE Measured<Tag> measured(Tag tag, const float* pixels) {
+    auto r = hn::Zero(tag), g = r, b = r;
+    hn::LoadInterleaved3(tag, pixels, r, g, b);
+    // Each component by itself: sums of infinities would be NaN.
+    const auto is_number = hn::And(hn::And(hn::Eq(r, r), hn::Eq(g, g)), hn::Eq(b, b));
+    r = number(tag, r), g = number(tag, g), b = number(tag, b);
+    const auto excess = hn::Max(hn::Max(distance(tag, r), distance(tag, g)), distance(tag, b));
+    const auto is_outside = hn::And(is_number, hn::Gt(excess, hn::Set(tag, kGamutTolerance)));
+    GamutCounts counts;
+    counts.outside = static_cast<std::int64_t>(hn::CountTrue(tag, is_outside));
+    counts.nan = static_cast<std::int64_t>(hn::Lanes(tag) - hn::CountTrue(tag, is_number));
+    counts.largest_excess = hn::GetLane(hn::MaxOfLanes(tag, excess));
+    return {r, g, b, excess, counts};
+}
 
 /// Whether all components of a vector of pixels are in [0, 1].
 template <class Tag>
@@ -70,8 +75,8 @@ void clip(std::span<RGB> linear, GamutCounts& counts) {
     for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
         float* const pixels = components + 3 * i;
         if (all_inside(tag, pixels)) return;
-        const Measured found(tag, pixels);
-        counts += {found.outside, found.nan, hn::GetLane(hn::MaxOfLanes(tag, found.excess))};
+        const auto found = measured(tag, pixels);
+        counts += found.counts;
         hn::StoreInterleaved3(clipped(tag, found.r), clipped(tag, found.g), clipped(tag, found.b), tag, pixels);
     });
 }
@@ -79,8 +84,8 @@ void clip(std::span<RGB> linear, GamutCounts& counts) {
 void measure(std::span<const RGB> linear, std::span<float> excess, GamutCounts& counts) {
     const float* const components = &linear.data()->r;
     for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
-        const Measured found(tag, components + 3 * i);
-        counts += {found.outside, found.nan, hn::GetLane(hn::MaxOfLanes(tag, found.excess))};
+        const auto found = measured(tag, components + 3 * i);
+        counts += found.counts;
         hn::StoreU(found.excess, tag, &excess[i]);
     });
 }

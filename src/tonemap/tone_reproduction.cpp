@@ -29,7 +29,7 @@ double most_scale(const LuminanceTable& table) noexcept {
 MapStretch reproduce_globally(const ToneReproduction& reproduction, const LuminanceStatistics& statistics,
                               double adaptation_cdm2, const XYZ& display_white, int threads) {
     const auto exact_scale = [=](double luminance) { return reproduction.scale(luminance, adaptation_cdm2); };
-    const auto exact_at = [=](std::size_t) { return exact_scale; };
+    const auto exact_at = [=](std::size_t) -> const auto& { return exact_scale; };
     if (!reproduction.compression) {
         const float constant = narrow_or_nan(reproduction.exposure(adaptation_cdm2));
         const RowPixels pixels = row_pixels(statistics, constant);
