@@ -1,7 +1,6 @@
 // CurveTable for vectors of arguments: for rows of numbers.
 // Compiled once for each instruction set: included by sources that hwy/foreach_target.h includes again.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,10 +23,23 @@ namespace emulsion::HWY_NAMESPACE {
 using CurveFloats = hwy::HWY_NAMESPACE::CappedTag<float, 8>;
 using CurveVector = hwy::HWY_NAMESPACE::Vec<CurveFloats>;
 
-/// Of every four segments at these offsets, in bytes, number `which`; those of the upper four in the upper half.
+using CurveOffsets = hwy::HWY_NAMESPACE::RebindToUnsigned<CurveFloats>;
+
+/// Where the segment of each argument begins, in bytes: its number times its size. To be stored, and read one by one,
+/// which is quicker than to take them out of a vector.
+HWY_INLINE hwy::HWY_NAMESPACE::Vec<CurveOffsets> segment_offsets(const CurveTable& table, CurveVector x) {
+    namespace hn = hwy::HWY_NAMESPACE;
+    static_assert(sizeof(CurveTable::Segment) == 16);
+    constexpr int kShift = CurveTable::kFractionBits - 4;
+    const CurveOffsets tag;
+    const auto number = hn::And(hn::ShiftRight<kShift>(hn::BitCast(tag, x)), hn::Set(tag, ~std::uint32_t{15}));
+    return hn::Min(hn::Sub(number, hn::Set(tag, 16 * table.first())), hn::Set(tag, 16 * table.last()));
+}
+
+/// Of every four segments at these offsets number `which`; those of the upper four in the upper half.
 template <std::size_t Lanes>
-HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
-                                     const std::array<std::uint32_t, Lanes>& offsets, std::size_t which) {
+HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments, const std::uint32_t* offsets,
+                                     std::size_t which) {
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::FixedTag<float, 4> four;
     const auto segment = [&](std::size_t i) {
@@ -43,27 +55,19 @@ HWY_INLINE CurveVector load_segments(const CurveTable::Segment* segments,
     }
 }
 
-/// The bits of what CurveTable gives. Segments are fetched whole and transposed.
-HWY_INLINE CurveVector lookup(const CurveTable& table, CurveVector x) {
+/// The bits of what CurveTable gives, with the segment_offsets() of x. Segments are fetched whole and transposed.
+HWY_INLINE CurveVector value_at(const CurveTable& table, const std::uint32_t* offsets, CurveVector x) {
     namespace hn = hwy::HWY_NAMESPACE;
     const CurveFloats tag;
-    const hn::RebindToUnsigned<CurveFloats> unsigned_tag;
     const hn::RebindToSigned<CurveFloats> signed_tag;
     const hn::Repartition<double, CurveFloats> pair_tag;
-    const auto bits = hn::BitCast(unsigned_tag, x);
-    // In bytes: the number of the segment times its size.
-    static_assert(sizeof(CurveTable::Segment) == 16);
-    constexpr int kShift = CurveTable::kFractionBits - 4;
-    const auto number = hn::And(hn::ShiftRight<kShift>(bits), hn::Set(unsigned_tag, ~std::uint32_t{15}));
-    const auto offset =
-        hn::Min(hn::Sub(number, hn::Set(unsigned_tag, 16 * table.first())), hn::Set(unsigned_tag, 16 * table.last()));
-    const auto fraction = hn::BitCast(signed_tag, hn::And(bits, hn::Set(unsigned_tag, CurveTable::kFractionMask)));
-    const auto t = hn::Mul(hn::ConvertTo(tag, fraction), hn::Set(tag, CurveTable::kPerSegment));
+    const auto mask = hn::Set(signed_tag, static_cast<std::int32_t>(CurveTable::kFractionMask));
+    const auto fraction = hn::ConvertTo(tag, hn::And(hn::BitCast(signed_tag, x), mask));
+    const auto t = hn::Mul(fraction, hn::Set(tag, CurveTable::kPerSegment));
 
-    alignas(32) std::array<std::uint32_t, hn::MaxLanes(CurveFloats())> offsets;  // NOLINT: written at once
-    hn::Store(offset, unsigned_tag, offsets.data());
-    const auto s0 = load_segments(table.segments(), offsets, 0), s1 = load_segments(table.segments(), offsets, 1);
-    const auto s2 = load_segments(table.segments(), offsets, 2), s3 = load_segments(table.segments(), offsets, 3);
+    constexpr std::size_t kLanes = hn::MaxLanes(tag);
+    const auto segments = [&](std::size_t which) { return load_segments<kLanes>(table.segments(), offsets, which); };
+    const auto s0 = segments(0), s1 = segments(1), s2 = segments(2), s3 = segments(3);
     const auto low01 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s0, s1));
     const auto low23 = hn::BitCast(pair_tag, hn::InterleaveLower(tag, s2, s3));
     const auto high01 = hn::BitCast(pair_tag, hn::InterleaveUpper(tag, s0, s1));

@@ -1,6 +1,9 @@
 #include "display/encode_rows.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 // Compiled once for each instruction set; which of them runs is decided when the program runs.
 #undef HWY_TARGET_INCLUDE
@@ -15,18 +18,27 @@ namespace emulsion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Values by vectors of toe(x) and of the table above it, and what is left over by the curve itself.
+/// Values by vectors of toe(x) and of the table above it, a block of them at a time, and what is left over by the curve
+/// itself.
 template <class Curve, class Toe>
 HWY_INLINE void replace(const Curve& curve, std::span<float> values, const Toe& toe) {
+    constexpr std::size_t kBlock = 64;
     const CurveFloats tag;
-    const std::size_t lanes = hn::Lanes(tag);
+    const std::size_t lanes = hn::Lanes(tag), whole = values.size() / lanes * lanes;
     const auto last = hn::Set(tag, curve.last);
-    std::size_t i = 0;
-    for (; i + lanes <= values.size(); i += lanes) {
-        const auto x = hn::LoadU(tag, &values[i]);
-        hn::StoreU(hn::IfThenElse(hn::Le(x, last), toe(x), lookup(curve.above, x)), tag, &values[i]);
+    alignas(64) std::array<std::uint32_t, kBlock> offsets{};
+    for (std::size_t begin = 0; begin < whole; begin += kBlock) {
+        float* const block = &values[begin];
+        const std::size_t count = std::min(kBlock, whole - begin);
+        for (std::size_t i = 0; i < count; i += lanes) {
+            hn::Store(segment_offsets(curve.above, hn::LoadU(tag, block + i)), CurveOffsets(), &offsets[i]);
+        }
+        for (std::size_t i = 0; i < count; i += lanes) {
+            const auto x = hn::LoadU(tag, block + i);
+            hn::StoreU(hn::IfThenElse(hn::Le(x, last), toe(x), value_at(curve.above, &offsets[i], x)), tag, block + i);
+        }
     }
-    for (; i < values.size(); ++i) values[i] = curve(values[i]);
+    for (float& value : values.subspan(whole)) value = curve(value);
 }
 
 void straight_toe(const StraightToeCurve& curve, std::span<float> values) {
