@@ -38,6 +38,21 @@ const RgbSpace& rgb_space(std::string_view name) {
                                             listed(data_table("rgb_colourspaces").row_names)));
 }
 
+namespace {
+
+/// \throws std::invalid_argument naming the primaries if they span no triangle.
+Matrix3 inverse_of(const Matrix3& matrix, const std::array<Chromaticity, 3>& primary) {
+    try {
+        return inverse(matrix);
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument(fmt::format(
+            "primaries ({:.6g}, {:.6g}), ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}) lie on one line, expected a triangle",
+            primary[0].x, primary[0].y, primary[1].x, primary[1].y, primary[2].x, primary[2].y));
+    }
+}
+
+}  // namespace
+
 Matrix3 xyz_from_rgb(const RgbSpace& space) {
     // Columns x, y, z of the primaries; y may be 0 or negative for imaginary ones, so not scaled to Y = 1.
     const std::array<Chromaticity, 3> primary = {space.red, space.green, space.blue};
@@ -50,7 +65,7 @@ Matrix3 xyz_from_rgb(const RgbSpace& space) {
 
     // Amounts of the primaries that add up to the white.
     const XYZd white = xyz_of(space.white);
-    const std::array<double, 3> amount = inverse(matrix) * std::array<double, 3>{white.x, white.y, white.z};
+    const std::array<double, 3> amount = inverse_of(matrix, primary) * std::array<double, 3>{white.x, white.y, white.z};
     for (auto& row : matrix.m) {
         for (std::size_t j = 0; j < 3; ++j) row[j] *= amount[j];
     }
