@@ -19,7 +19,7 @@ namespace emulsion {
 /// and BT.2020 it leaves the gamut and just comes in again at a higher chroma, or just not. So it stops at the mean of
 /// the places where bounds are broken by 2% to 12% of the grey's distance from them (display/gamut_bound.h), and what
 /// is broken then is clipped. With that the map is continuous on every display: monochromatic light from 440 to 500 nm
-/// changes by less than 20 8-bit codes of sRGB in 0.1 nm on every preset (16 on sRGB). More chroma in may give up to
+/// changes by 25 8-bit codes at most in 0.1 nm on every preset, and by 4 in 0.01 nm. More chroma in may give up to
 /// 0.02 less out, for chromas up to 1.2 times the lightness. Those limits of hue and lightness are for the presets, in
 /// any room, and chromas above 0.02; on displays with primaries far off them, whose gamut the line may leave for longer
 /// before it comes in again, clipping there may change hue by tens of degrees. Source: Ottosson, "A perceptual color

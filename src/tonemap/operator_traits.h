@@ -6,9 +6,9 @@ namespace emulsion {
 /// What happens to a picture that is given in another unit of luminance.
 enum class UnitOfLuminance {
     cancels,         ///< the same picture comes out
-    nearly_cancels,  ///< the same if the units differ by a power of 2, or else within 4/255: what is taken from the
-                     ///< picture's range, with some parameters only, is taken from LuminanceHistogram, and the ends of
-                     ///< the range may move by half a bin, 1.6 %
+    nearly_cancels,  ///< the same if the units differ by a power of 2, or else within 4/255 on most pictures, 6/255 on
+                     ///< small ones with edges: what is taken from the picture's range, with some parameters only, is
+                     ///< taken from LuminanceHistogram, and the ends of the range may move by half a bin, 1.6 %
     absolute,        ///< the operator is about luminances in cd/m^2: another picture comes out
 };
 

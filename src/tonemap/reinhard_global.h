@@ -17,9 +17,8 @@ namespace emulsion {
 /// every white. Ya is the log-average, unless chosen otherwise. Luminances past `white` come out above 1. The white may
 /// be
 ///     a number: the smallest L shown as display white; infinite, none is;
-///     "max": L of the robust largest luminance, which burns out no more than a thousandth of the pixels. It is what
-///     the
-///         paper of 2002 takes if nothing is set, but for being robust;
+///     "max": L of the robust largest luminance, which burns out a thousandth of the pixels, to a bin (0.14 % at most).
+///         It is what the paper of 2002 takes if nothing is set, but for being robust;
 ///     "auto": photographic_white(), the recommendation of the paper of 2003.
 /// Sources: Reinhard, Stark, Shirley & Ferwerda, "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002,
 /// eq. 1, 2, 4; for what is automatic, Reinhard, "Parameter Estimation for Photographic Tone Reproduction", Journal of

@@ -52,7 +52,7 @@ std::vector<ToneMapper> relative_mappers() {
 
 class UnitOfLuminanceTest : public testing::TestWithParam<ToneMapper> {};
 
-// Photographs and renderings have no such edges: they stay within 3/255.
+// The three pictures have no such edges: they stay within 3/255. Small crops of them may reach 4/255.
 TEST_P(UnitOfLuminanceTest, MovesNoPixelByMoreThanItSays) {
     // An automatic white is a ratio of both ends of the range, and squared.
     const bool is_ratio = GetParam() == parse_named<ToneMapper>("reinhard-global:key=auto,white=auto", "tonemap");
