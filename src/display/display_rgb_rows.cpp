@@ -17,6 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 void multiply(const std::array<float, 9>& matrix, float pedestal, std::span<const XYZ> xyz, std::span<RGB> rgb) {
     static_assert(sizeof(XYZ) == 3 * sizeof(float) && sizeof(RGB) == 3 * sizeof(float));
+    if (xyz.empty()) return;
     const float* const in = &xyz.data()->x;
     float* const out = &rgb.data()->r;
     for_each_pixel_vector(xyz.size(), [&](auto tag, std::size_t i) {

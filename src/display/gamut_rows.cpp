@@ -71,6 +71,7 @@ HWY_INLINE bool all_inside(Tag tag, const float* pixels) {
 
 void clip(std::span<RGB> linear, GamutCounts& counts) {
     static_assert(sizeof(RGB) == 3 * sizeof(float));
+    if (linear.empty()) return;
     float* const components = &linear.data()->r;
     for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
         float* const pixels = components + 3 * i;
@@ -82,6 +83,7 @@ void clip(std::span<RGB> linear, GamutCounts& counts) {
 }
 
 void measure(std::span<const RGB> linear, std::span<float> excess, GamutCounts& counts) {
+    if (linear.empty()) return;
     const float* const components = &linear.data()->r;
     for_each_pixel_vector(linear.size(), [&](auto tag, std::size_t i) {
         const auto found = measured(tag, components + 3 * i);
