@@ -14,7 +14,8 @@ std::vector<std::array<float, 3>> albedos_of(const std::vector<Material>& materi
     const ReflectanceRgb rgb = reflectance_rgb(rgb_space("sRGB"));
     std::vector<std::array<float, 3>> albedos;
     for (const Material& material : materials) {
-        const auto [r, g, b] = weighted_sums(rgb.rgb_weights, std::get<DiffuseMaterial>(material).reflectance);
+        const auto [r, g, b] =
+            weighted_sums(rgb.rgb_weights, std::get<Spectrum>(std::get<DiffuseMaterial>(material).reflectance));
         albedos.push_back({static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)});
     }
     return albedos;

@@ -12,8 +12,8 @@ namespace {
 
 /// x min, x max, y min, y max: the shorter side spans [-1, 1] unless the camera says otherwise.
 std::array<double, 4> screen_window(const PerspectiveCamera& camera, int width_px, int height_px) {
-    if (camera.screen_window) return *camera.screen_window;
-    const double aspect = camera.frame_aspect_ratio.value_or(static_cast<double>(width_px) / height_px);
+    if (camera.screen.bounds) return *camera.screen.bounds;
+    const double aspect = camera.screen.frame_aspect_ratio.value_or(static_cast<double>(width_px) / height_px);
     if (!(aspect > 0.0) || !std::isfinite(aspect)) {
         throw std::invalid_argument("frame_aspect_ratio " + std::to_string(aspect) + ": must be finite and above 0");
     }

@@ -1,7 +1,6 @@
 #pragma once
 // A scene made ready for rendering: hierarchy, spectra as tables, light sources as a list to pick from.
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,22 +8,13 @@
 
 #include "pathtracer/accelerator.h"
 #include "pathtracer/emitters.h"
+#include "pathtracer/light_powers.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/sphere.h"
 #include "pathtracer/surface.h"
 #include "spectrum/spectrum_table.h"
 
 namespace emulsion {
-
-/// The luminous fluxes by which emitters are picked.
-struct LightPowers {
-    std::vector<double> emitter;         ///< of each, in lm/683
-    std::vector<std::size_t> light_end;  ///< one past the last emitter of each light: a shape has one for each triangle
-
-    /// Half by flux and half in equal shares to all lights, so that none is starved whose flux says little about how it
-    /// lights what is seen: a small lamp in a large landscape under the sun. Positive sum, unless there are no lights.
-    [[nodiscard]] std::vector<double> weights() const;
-};
 
 class PreparedScene {
   public:

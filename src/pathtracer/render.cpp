@@ -34,7 +34,7 @@ class TileRenderer {
           is_splatted_(film.options().filter_use == FilterUse::splatted),
           sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
           filter_(film.options().filter),
-          camera_(scene.scene().camera, film.options().width_px, film.options().height_px),
+          camera_(std::get<PerspectiveCamera>(scene.scene().camera), film.options().width_px, film.options().height_px),
           aux_(scene.scene(), film.options().aux) {}
 
     /// These samples of every pixel within the bounds, some of which may lie outside the frame.

@@ -1,99 +1,24 @@
 #pragma once
 // What a scene file says, as plain values in world space: left-handed axes as in pbrt, lengths in the scene's own unit.
-// Light spectra are absolute: the photometric normalisation of pbrt-v4 has been applied by whoever filled this in.
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include <Imath/ImathMatrix.h>
-#include <Imath/ImathVec.h>
-
 #include "core/image.h"
 #include "film/filter.h"
 #include "film/pixel_type.h"
 #include "film/sensor_options.h"
-#include "spectrum/spectrum.h"
+#include "pathtracer/scene_camera.h"
+#include "pathtracer/scene_geometry.h"
+#include "pathtracer/scene_light.h"
+#include "pathtracer/scene_material.h"
+#include "pathtracer/scene_texture.h"
 
 namespace emulsion {
-
-/// spectrum(lambda) * scale.
-struct ScaledSpectrum {
-    Spectrum spectrum;
-    double scale = 1.0;
-    bool operator==(const ScaledSpectrum&) const = default;
-};
-
-// --- Camera
-
-/// A pinhole at the origin of camera space that looks along +z, with y up and x to the right.
-struct PerspectiveCamera {
-    Imath::M44d world_from_camera;  ///< Imath's convention: row vectors, p * M
-    double fov_deg = 90.0;          ///< full angle along the shorter side of the picture; in (0, 180)
-    /// x min, x max, y min, y max on the plane z = 1 in units of tan(fov/2); unset: the shorter side spans [-1, 1].
-    std::optional<std::array<double, 4>> screen_window;
-    std::optional<double> frame_aspect_ratio;  ///< width / height; unset: that of the resolution
-};
-
-// --- Materials and shapes
-
-/// Lambertian reflection; reflectance in [0, 1].
-struct DiffuseMaterial {
-    Spectrum reflectance = ConstantSpectrum{0.5};
-};
-
-using Material = std::variant<DiffuseMaterial>;
-
-struct TriangleMesh {
-    std::vector<Imath::V3f> position;  ///< world space
-    std::vector<Imath::V3f> normal;    ///< shading normals in world space: one a position, or none
-    std::vector<std::array<std::uint32_t, 3>> triangle;
-    bool flip_normal = false;  ///< geometric normal: (p1 - p0) x (p2 - p0), turned round if set
-};
-
-/// The sphere of radius `radius` about the origin of object space; world_from_object may be any invertible affine map.
-struct Sphere {
-    Imath::M44d world_from_object;
-    double radius = 1.0;       ///< > 0
-    bool flip_normal = false;  ///< outward normal, turned inward if set
-};
-
-/// Emits `radiance`, W m^-2 sr^-1 nm^-1, to the side of the geometric normal, or to both.
-struct AreaLight {
-    ScaledSpectrum radiance;
-    bool two_sided = false;
-    std::vector<float> triangle_scale = {};  ///< of a mesh: triangle i emits this times `radiance`; empty: 1 for all
-};
-
-struct Shape {
-    std::variant<TriangleMesh, Sphere> geometry;
-    int material = 0;  ///< index into Scene::materials
-    std::optional<AreaLight> area_light;
-};
-
-// --- Lights without a shape
-
-struct PointLight {
-    Imath::V3d position;
-    ScaledSpectrum intensity;  ///< W sr^-1 nm^-1
-};
-
-struct DistantLight {
-    Imath::V3d to_light;        ///< unit vector towards the light
-    ScaledSpectrum irradiance;  ///< on a surface that faces it, W m^-2 nm^-1
-};
-
-/// The same radiance from everywhere that no shape hides.
-struct UniformInfiniteLight {
-    ScaledSpectrum radiance;  ///< W m^-2 sr^-1 nm^-1
-};
-
-using Light = std::variant<PointLight, DistantLight, UniformInfiniteLight>;
 
 // --- How to render it
 
@@ -127,12 +52,14 @@ struct PathIntegratorSettings {
 };
 
 struct Scene {
-    PerspectiveCamera camera;
+    Camera camera;
     FilmSettings film;
     Filter filter = GaussianFilter{};
     Sampler sampler = PaddedSobolSampler{};
     int sampler_seed = 0;
     PathIntegratorSettings integrator;
+    std::vector<FloatTexture> float_textures;
+    std::vector<ReflectanceTexture> reflectance_textures;
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Light> lights;

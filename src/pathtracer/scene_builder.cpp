@@ -39,7 +39,7 @@ void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d&
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Camera");
-    read_camera(list, state_.frame.world_from_object, scene_.camera, exposure_time_s_);
+    scene_.camera = read_camera(list, state_.frame.world_from_object, exposure_time_s_);
 }
 
 void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {

@@ -162,10 +162,9 @@ constexpr auto kSamplerReaders = std::to_array<SamplerReader>(
 
 }  // namespace
 
-void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, PerspectiveCamera& camera,
-                 double& exposure_time_s) {
+Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, double& exposure_time_s) {
     check_parameters(camera_table(), list);
-    camera = {};
+    PerspectiveCamera camera;
     const std::optional<Imath::M44d> inverse = inverse_of(camera_from_world);
     if (!inverse) throw SceneError(list.place, "a camera under a transformation without inverse", "another one");
     camera.world_from_camera = *inverse;
@@ -180,10 +179,10 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
                          "an angle above 0 and below 180 degrees");
     }
     if (find_parameter(list, "frameaspectratio") != nullptr) {
-        camera.frame_aspect_ratio = real_or(list, "frameaspectratio", 1.0);
+        camera.screen.frame_aspect_ratio = real_or(list, "frameaspectratio", 1.0);
     }
     if (const SceneParameter* const window = find_parameter(list, "screenwindow")) {
-        auto& values = camera.screen_window.emplace();
+        auto& values = camera.screen.bounds.emplace();
         std::copy_n(window->numbers.begin(), values.size(), values.begin());
         if (values[0] == values[1] || values[2] == values[3]) {
             throw SceneError(window->first_value, "a screen window without area", "x min, x max, y min, y max");
@@ -192,6 +191,7 @@ void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world
     const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
     exposure_time_s =
         checked_exposure(list.place, time_s, "an exposure time of", R"("shutterclose" after "shutteropen")");
+    return camera;
 }
 
 void read_film(const ParameterList& list, FilmSettings& film) {

@@ -15,8 +15,8 @@ namespace emulsion {
 /// The exposure time is shutterclose - shutteropen; the film's sensor gets its own at check_sensor, as camera and film
 /// come in any order. "whitebalance" is a nominal temperature, as in the names of the D illuminants, and 0 means none.
 /// \throws SceneError naming the token at fault.
-void read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, PerspectiveCamera& camera,
-                 double& exposure_time_s);
+[[nodiscard]] Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world,
+                                 double& exposure_time_s);
 void read_film(const ParameterList& list, FilmSettings& film);
 void read_sampler(const ParameterList& list, Sampler& sampler, int& seed);
 [[nodiscard]] Filter read_filter(const ParameterList& list);

@@ -71,7 +71,7 @@ TEST(AuxLayers, FaceWhoLooksFromBelow) {
     scene.materials = {DiffuseMaterial{ConstantSpectrum{0.4}}};
     scene.shapes = {{parallelogram({-1, -1, 3}, {2, 0, 0}, {0, 2, 0}), 0, {}}};
     scene.lights = {UniformInfiniteLight{{ConstantSpectrum{1.0}, 1.0}}};
-    scene.camera.fov_deg = 0.01;  // at the origin, along +z
+    std::get<PerspectiveCamera>(scene.camera).fov_deg = 0.01;  // at the origin, along +z
     const PreparedScene prepared(std::move(scene), 1);
     Film film({.width_px = 1, .height_px = 1, .aux = known_aux_layers()});
     RenderProgress progress;

@@ -42,12 +42,12 @@ TEST(CameraRays, FollowsTheMatrix) {
 TEST(CameraRays, TakesWindowAndAspectFromTheScene) {
     PerspectiveCamera camera;
     camera.fov_deg = 90.0;
-    camera.screen_window = {{-0.5, 1.0, -0.25, 0.75}};
+    camera.screen.bounds = {{-0.5, 1.0, -0.25, 0.75}};
     const CameraRays windowed(camera, 100, 100);
     expect_direction(windowed.ray(0, 0), {-0.5, 0.75, 1});
     expect_direction(windowed.ray(100, 100), {1.0, -0.25, 1});
-    camera.screen_window.reset();
-    camera.frame_aspect_ratio = 3.0;
+    camera.screen.bounds.reset();
+    camera.screen.frame_aspect_ratio = 3.0;
     expect_direction(CameraRays(camera, 100, 100).ray(100, 0), {3, 1, 1});
 }
 

@@ -99,7 +99,7 @@ TEST(FurnaceDepth, EachScatteringEventAddsOneTerm) {
 TEST(FurnaceFilm, PixelsHoldTheXyzOfTheRadiance) {
     const PiecewiseLinearSpectrum emission = slope(0.02, 0.05);
     Scene scene = furnace(Room::box, ConstantSpectrum{0.5}, emission);
-    scene.camera.fov_deg = 100.0;
+    std::get<PerspectiveCamera>(scene.camera).fov_deg = 100.0;
     constexpr int kSize_px = 32;
     const PreparedScene prepared(std::move(scene), 1);
     const XYZd once = xyz_of_radiance(emission);

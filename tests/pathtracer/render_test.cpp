@@ -29,8 +29,9 @@ Scene hills() {
     scene.lights = {UniformInfiniteLight{{ConstantSpectrum{1e-3}, 1.0}},
                     PointLight{{0.1, 0.1, 0.3}, {ConstantSpectrum{1e-3}, 1.0}}};
     // Looks down from z = 1.
-    scene.camera.world_from_camera = Imath::M44d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 1, 1);
-    scene.camera.fov_deg = 50.0;
+    PerspectiveCamera& camera = std::get<PerspectiveCamera>(scene.camera);
+    camera.world_from_camera = Imath::M44d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 1, 1);
+    camera.fov_deg = 50.0;
     return scene;
 }
 

@@ -17,12 +17,14 @@ using testing::error_of;
 
 Scene parse_options(const std::string& options) { return testing::parse(options + "\nWorldBegin\n"); }
 
+const PerspectiveCamera& perspective(const Scene& scene) { return std::get<PerspectiveCamera>(scene.camera); }
+
 TEST(SceneOptions, Defaults) {
     const Scene scene = parse_options("");
-    EXPECT_EQ(scene.camera.world_from_camera, Imath::M44d());
-    EXPECT_EQ(scene.camera.fov_deg, 90.0);
-    EXPECT_FALSE(scene.camera.screen_window);
-    EXPECT_FALSE(scene.camera.frame_aspect_ratio);
+    EXPECT_EQ(perspective(scene).world_from_camera, Imath::M44d());
+    EXPECT_EQ(perspective(scene).fov_deg, 90.0);
+    EXPECT_FALSE(perspective(scene).screen.bounds);
+    EXPECT_FALSE(perspective(scene).screen.frame_aspect_ratio);
     EXPECT_EQ(scene.film.width_px, 1280);
     EXPECT_EQ(scene.film.height_px, 720);
     EXPECT_EQ(scene.film.filename, "");
@@ -37,9 +39,9 @@ TEST(SceneOptions, Defaults) {
 TEST(SceneOptions, Camera) {
     const Scene scene = parse_options(R"(Camera "perspective" "float fov" 39.5 "float frameaspectratio" [ 1.5 ]
         "float screenwindow" [ -1 2 -3 4 ] "float lensradius" 0 "float focaldistance" 12)");
-    EXPECT_EQ(scene.camera.fov_deg, 39.5);
-    EXPECT_EQ(scene.camera.frame_aspect_ratio, 1.5);
-    EXPECT_EQ(scene.camera.screen_window, (std::array<double, 4>{-1, 2, -3, 4}));
+    EXPECT_EQ(perspective(scene).fov_deg, 39.5);
+    EXPECT_EQ(perspective(scene).screen.frame_aspect_ratio, 1.5);
+    EXPECT_EQ(perspective(scene).screen.bounds, (std::array<double, 4>{-1, 2, -3, 4}));
 }
 
 TEST(SceneOptions, CropWindowsInPartsOfTheFrameAndInPixels) {
@@ -157,7 +159,7 @@ TEST(SceneOptions, Integrator) {
 }
 
 TEST(SceneOptions, NumbersMayBeDeclaredEitherWay) {
-    EXPECT_EQ(parse_options(R"(Camera "perspective" "integer fov" 45)").camera.fov_deg, 45.0);
+    EXPECT_EQ(perspective(parse_options(R"(Camera "perspective" "integer fov" 45)")).fov_deg, 45.0);
     EXPECT_EQ(parse_options(R"(Film "rgb" "float xresolution" 300.0)").film.width_px, 300);
     EXPECT_EQ(parse_options(R"(Film "rgb" "integer xresolution" 3e2)").film.width_px, 300);
     EXPECT_EQ(

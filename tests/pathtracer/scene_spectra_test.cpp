@@ -16,7 +16,8 @@ using testing::world_error_of;
 
 Spectrum reflectance_of(const Scene& scene, std::size_t shape = 0) {
     const int material = scene.shapes.at(shape).material;
-    return std::get<DiffuseMaterial>(scene.materials.at(static_cast<std::size_t>(material))).reflectance;
+    return std::get<Spectrum>(
+        std::get<DiffuseMaterial>(scene.materials.at(static_cast<std::size_t>(material))).reflectance);
 }
 
 Spectrum reflectance(const std::string& parameter) {

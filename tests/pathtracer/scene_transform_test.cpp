@@ -72,7 +72,7 @@ TEST(SceneTransform, WorldBeginSetsItBack) {
 }
 
 Imath::V3d in_world(const Scene& scene, const Imath::V3d& camera_point) {
-    return transform_point(scene.camera.world_from_camera, camera_point);
+    return transform_point(std::get<PerspectiveCamera>(scene.camera).world_from_camera, camera_point);
 }
 
 TEST(SceneTransform, LookAtMakesALeftHandedFrame) {
@@ -82,7 +82,7 @@ TEST(SceneTransform, LookAtMakesALeftHandedFrame) {
     expect_near(in_world(scene, {0, 0, 1}), {0, 0, -4});
     expect_near(in_world(scene, {1, 0, 0}), {1, 0, -5});
     expect_near(in_world(scene, {0, 1, 0}), {0, 1, -5});
-    EXPECT_FALSE(swaps_handedness(scene.camera.world_from_camera));
+    EXPECT_FALSE(swaps_handedness(std::get<PerspectiveCamera>(scene.camera).world_from_camera));
 }
 
 TEST(SceneTransform, LookAtFromTheSide) {
@@ -98,7 +98,7 @@ TEST(SceneTransform, TheCameraInvertsWhatStandsBeforeIt) {
         "Scale -1 1 1 LookAt 278 273 -800  278 273 -799  0 1 0 Camera \"perspective\" Translate 9 9 9 WorldBegin");
     expect_near(in_world(scene, {0, 0, 0}), {278, 273, -800});
     expect_near(in_world(scene, {1, 0, 0}), {277, 273, -800});
-    EXPECT_TRUE(swaps_handedness(scene.camera.world_from_camera));
+    EXPECT_TRUE(swaps_handedness(std::get<PerspectiveCamera>(scene.camera).world_from_camera));
 }
 
 TEST(SceneTransform, NormalsStayPerpendicular) {

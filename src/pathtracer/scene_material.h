@@ -1,0 +1,78 @@
+#pragma once
+// Materials as a scene describes them. Both sides of a surface have the same material; a dielectric's inside is the
+// side away from the normal.
+
+#include <optional>
+#include <variant>
+
+#include "pathtracer/scene_texture.h"
+#include "spectrum/spectrum.h"
+
+namespace emulsion {
+
+/// Lambertian reflection.
+struct DiffuseMaterial {
+    ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.5});
+};
+
+/// Of a microsurface. alpha = sqrt(roughness) if remapped, else alpha = roughness: GGX's parameter along the two
+/// tangents of a surface. Below alpha = 1e-3 a surface is smooth.
+struct Roughness {
+    FloatParameter u = 0.0, v = 0.0;  ///< >= 0
+    bool remap = true;
+};
+
+/// Index of refraction eta + i k, both > 0 resp. >= 0 at all wavelengths.
+struct ComplexIor {
+    Spectrum eta, k;
+};
+
+struct ConductorMaterial {
+    /// By index of refraction, or by the reflectance at normal incidence.
+    std::variant<ComplexIor, ReflectanceParameter> ior;
+    Roughness roughness;
+};
+
+/// Glass: reflects and refracts. Wavelength-dependent eta disperses.
+struct DielectricMaterial {
+    Spectrum eta = ConstantSpectrum{1.5};  ///< inside over outside; > 0
+    Roughness roughness;
+};
+
+/// Both surfaces of a pane without thickness, and what goes back and forth between them.
+struct ThinDielectricMaterial {
+    Spectrum eta = ConstantSpectrum{1.5};
+};
+
+/// Lambertian on both sides of the surface; reflectance + transmittance <= 1, or both are scaled down by their sum.
+struct DiffuseTransmissionMaterial {
+    ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.25});
+    ReflectanceParameter transmittance = Spectrum(ConstantSpectrum{0.25});
+    double scale = 1.0;
+};
+
+/// A dielectric coat over a Lambertian base.
+struct CoatedDiffuseMaterial {
+    ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.5});
+    Spectrum eta = ConstantSpectrum{1.5};
+    Roughness roughness;
+    double thickness = 0.01;                                        ///< of the coat; matters with a medium in it only
+    ReflectanceParameter albedo = Spectrum(ConstantSpectrum{0.0});  ///< of the medium in the coat; 0: none
+    double asymmetry = 0.0;                                         ///< g of its phase function, in (-1, 1)
+    int max_depth = 10;                                             ///< longest walk between the layers
+    int samples = 1;                                                ///< walks per evaluation
+};
+
+/// The second material with probability `amount`, else the first: indices into Scene::materials.
+struct MixMaterial {
+    int first = 0, second = 0;
+    FloatParameter amount = 0.5;
+};
+
+/// Not there: rays pass. Shapes of it are left out of the scene.
+struct InterfaceMaterial {};
+
+using Material = std::variant<DiffuseMaterial, ConductorMaterial, DielectricMaterial, ThinDielectricMaterial,
+                              DiffuseTransmissionMaterial, CoatedDiffuseMaterial, MixMaterial, InterfaceMaterial>;
+
+}  // namespace emulsion

@@ -1,0 +1,60 @@
+// The tables of Shape.
+#include <array>
+
+#include "pathtracer/scene_tables.h"
+
+namespace emulsion {
+
+namespace {
+
+using enum ValueKind;
+using enum ValueRange;
+using enum Support;
+
+constexpr ParameterSpec kIndices = {.name = "indices", .kind = integer, .count = 0};
+constexpr ParameterSpec kPositions = {.name = "P", .kind = point3, .count = 0};
+constexpr ParameterSpec kNormals = {.name = "N", .kind = normal, .count = 0};
+constexpr ParameterSpec kTextureCoordinates = {.name = "uv", .kind = point2, .count = 0};
+constexpr ParameterSpec kAlpha = {.name = "alpha", .support = pbrt_only};
+constexpr ParameterSpec kFaceIndices = {.name = "faceIndices", .support = pbrt_only};
+
+constexpr auto kTriangleMesh = std::to_array<ParameterSpec>({
+    kIndices,
+    kPositions,
+    kNormals,
+    {.name = "S", .kind = vector3, .count = 0},
+    kTextureCoordinates,
+    kFaceIndices,
+    kAlpha,
+});
+constexpr auto kBilinearMesh = std::to_array<ParameterSpec>({
+    kIndices,
+    kPositions,
+    kNormals,
+    kTextureCoordinates,
+    kFaceIndices,
+    {.name = "emissionfilename", .support = pbrt_only},
+    kAlpha,
+});
+constexpr auto kSphere = std::to_array<ParameterSpec>({{.name = "radius", .range = positive},
+                                                       {.name = "zmin"},
+                                                       {.name = "zmax"},
+                                                       {.name = "phimax", .only = 360.0},
+                                                       kAlpha});
+constexpr auto kShapes = std::to_array<Implementation>({
+    {"trianglemesh", kTriangleMesh},
+    {"bilinearmesh", kBilinearMesh},
+    {"sphere", kSphere},
+    {"curve", {}, pbrt_only},
+    {"cylinder", {}, pbrt_only},
+    {"disk", {}, pbrt_only},
+    {"loopsubdiv", {}, pbrt_only},
+    {"plymesh", {}, pbrt_only},
+});
+constexpr ImplementationTable kShapeTable = {"shape", kShapes};
+
+}  // namespace
+
+const ImplementationTable& shape_table() noexcept { return kShapeTable; }
+
+}  // namespace emulsion
