@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -33,6 +34,17 @@ struct Shape {
     std::variant<TriangleMesh, Sphere> geometry;
     int material = 0;  ///< index into Scene::materials
     std::optional<AreaLight> area_light;
+};
+
+/// Shapes that are in the scene once for each instance, and not by themselves. They have no lights.
+struct ObjectDefinition {
+    std::string name;
+    std::vector<Shape> shapes;  ///< in the space of the object
+};
+
+struct ObjectInstance {
+    int object = 0;  ///< index into Scene::objects
+    Imath::M44d world_from_object;
 };
 
 }  // namespace emulsion

@@ -186,10 +186,9 @@ TEST(SceneShapes, RefusesWhatIsNoShape) {
          "31: found 180 for parameter \"phimax\" of shape \"sphere\", expected 360 (others are known to pbrt-v4 and "
          "not yet "
          "supported here)"},
-        {R"(Shape "sphere" "float alpha" 1)",
-         "16: found parameter \"alpha\" of shape \"sphere\", expected a supported one (known to pbrt-v4 and not yet "
-         "supported "
-         "here; supported: radius, zmin, zmax, phimax)"},
+        {R"(Shape "sphere" "float alpha" 0)",
+         "30: found 0 for parameter \"alpha\" of shape \"sphere\", expected 1 (others are known to pbrt-v4 and not yet "
+         "supported here)"},
     };
     for (const BadShape& shape : bad) EXPECT_EQ(world_error_of(shape.text), "t.pbrt:2:" + shape.message) << shape.text;
 }
