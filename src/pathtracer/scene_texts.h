@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -43,19 +42,22 @@ class SceneTexts {
     struct OpenText {
         Lexer lexer;
         TextKind kind;
-        std::filesystem::path file;  // in its one canonical form
+        const std::string* file;  // its one canonical name
     };
     struct KeptText {
         std::string content;
         std::unique_ptr<const SourceText> source;
+        bool is_open = false;
     };
 
-    [[nodiscard]] std::string cycle_of(const std::filesystem::path& file) const;
+    /// The text of the file that `name` names, read if it is new.
+    [[nodiscard]] std::map<std::string, KeptText>::iterator kept_text(const Token& name, SceneFiles& files);
+    [[nodiscard]] std::string cycle_of(const std::string& file) const;
 
     SourceText main_;
-    std::map<std::filesystem::path, KeptText> kept_;
+    std::map<std::string, KeptText> kept_;               // by canonical name
+    std::map<std::string, std::string> canonical_name_;  // by the name in the scene
     std::deque<OpenText> open_;
-    std::set<std::filesystem::path> open_files_;
     std::size_t includes_ = 0, bytes_ = 0;
 };
 

@@ -135,7 +135,7 @@ TEST_F(SceneInclude, CyclesAreNamed) {
     write("d.pbrt", "Include \"x/../b.pbrt\"");
     EXPECT_EQ(
         error_of("Include \"b.pbrt\""),
-        "d.pbrt:1:9: found the file \"b.pbrt\" inside itself (through \"d.pbrt\", \"c.pbrt\"), expected files that "
+        "./d.pbrt:1:9: found the file \"b.pbrt\" inside itself (through \"d.pbrt\", \"c.pbrt\"), expected files that "
         "don't include themselves");
     // The main file itself, under its own name or by a link.
     write("main.pbrt", "Include \"main.pbrt\"");
