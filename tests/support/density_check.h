@@ -20,9 +20,9 @@ using DirectionSampler = std::function<std::optional<Direction>()>;
 using DirectionDensity = std::function<double(const Direction&)>;  ///< per steradian; >= 0
 
 struct DensityCheckOptions {
-    int draws = 100000;  ///< beside a tenth as many that only place the bins
-    int u_bins = 24;     ///< of equal counts along the first coordinate: narrow lobes have fine bins
-    int v_bins = 24;     ///< of equal width along the second
+    int draws = 400000;  ///< beside a tenth as many that only place the bins
+    int u_bins = 16;     ///< of equal counts along the first coordinate: narrow lobes have fine bins
+    int v_bins = 16;     ///< of equal width along the second
 };
 
 struct DensityCheckResult : ChiSquareResult {
