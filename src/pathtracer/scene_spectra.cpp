@@ -96,15 +96,11 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files,
     if (!std::filesystem::exists(path, ignored)) throw_unknown_spectrum(parameter.first_value, name);
     std::string content;
     try {
-        content = read_text_file(path);
+        content = files.read_file(path);
     } catch (const IoError& error) {
         throw SceneError(parameter.first_value, fmt::format("spectrum {} ({})", quote(name), error.reason()),
                          "a known one, or a file that can be read");
     }
-    // With its size, so that the end of one file and the beginning of the next don't pass for each other.
-    files.contents.add(fmt::format("{}:", content.size()));
-    files.contents.add(content);
-    files.read.push_back(path);
     return read_spectrum_file(path, content, bounds);
 }
 
@@ -150,6 +146,15 @@ Spectrum spectrum_of(const SceneParameter& parameter, SpectrumFiles& files, cons
 double unit_scale(const Spectrum& spectrum) { return 1.0 / (kLuminousEfficacy * light_normalisation(spectrum)); }
 
 }  // namespace
+
+std::string SpectrumFiles::read_file(const std::filesystem::path& path) {
+    std::string content = read_text_file(path);
+    // With its size, so that the end of one file and the beginning of the next don't pass for each other.
+    contents.add(fmt::format("{}:", content.size()));
+    contents.add(content);
+    read.push_back(path);
+    return content;
+}
 
 const RgbUplift& SpectrumReader::uplift() {
     if (!uplift_) uplift_.emplace(rgb_space("sRGB"));

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/content_hash.h"
@@ -23,6 +24,9 @@ struct SpectrumFiles {
     std::filesystem::path folder;             ///< of relative names
     ContentHash contents;                     ///< of the files that were read, in the order of reading
     std::vector<std::filesystem::path> read;  ///< in that order
+
+    /// The bytes of a file, noted here. \throws IoError
+    [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 };
 
 /// Reads the spectra of one scene.
@@ -32,6 +36,7 @@ class SpectrumReader {
     explicit SpectrumReader(std::filesystem::path folder) : files_{std::move(folder), {}, {}} {}
 
     [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return files_; }
+    [[nodiscard]] SpectrumFiles& files() noexcept { return files_; }
 
     /// A reflectance.
     /// \throws SceneError if it is malformed, unknown, or outside [0, 1] at any of its points (pbrt-v4 refuses such RGB
