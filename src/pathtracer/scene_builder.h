@@ -10,6 +10,7 @@
 #include <Imath/ImathMatrix.h>
 
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
 #include "pathtracer/scene_lights.h"
 #include "pathtracer/scene_options.h"
 #include "pathtracer/scene_shapes.h"
@@ -30,7 +31,10 @@ enum class SceneBlock { options, world };
 /// directive.
 class SceneBuilder {
   public:
-    explicit SceneBuilder(std::filesystem::path folder) : spectra_(std::move(folder)) {}
+    explicit SceneBuilder(std::filesystem::path folder) : files_(std::move(folder)), spectra_(files_) {}
+    SceneBuilder(const SceneBuilder&) = delete;
+    SceneBuilder& operator=(const SceneBuilder&) = delete;
+    ~SceneBuilder() = default;
 
     [[nodiscard]] SceneBlock block() const noexcept { return block_; }
 
@@ -58,8 +62,8 @@ class SceneBuilder {
 
     /// The scene, at the end of the text.
     [[nodiscard]] Scene finish(const SourcePlace& end);
-    /// Of the contents of the files that the scene names, so far.
-    [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return spectra_.files_read(); }
+    /// The files that the scene names.
+    [[nodiscard]] SceneFiles& files() noexcept { return files_; }
 
   private:
     struct NamedMaterial {
@@ -80,6 +84,7 @@ class SceneBuilder {
 
     Scene scene_;
     double exposure_time_s_ = 1.0;  // of the camera
+    SceneFiles files_;
     SpectrumReader spectra_;
     SceneBlock block_ = SceneBlock::options;
     GraphicsState state_;

@@ -174,9 +174,9 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name) {
     Scene scene = builder.finish(lexer.peek().place);
     ContentHash hash;
     hash.add(text);
-    hash.add(builder.files_read().contents.hex());
+    hash.add(builder.files().hash());
     scene.hash = hash.hex();
-    scene.files = builder.files_read().read;
+    scene.files = builder.files().list();
     return scene;
 }
 
