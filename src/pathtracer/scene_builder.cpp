@@ -95,8 +95,7 @@ void SceneBuilder::reverse_orientation() noexcept {
 
 DiffuseMaterial SceneBuilder::read_material(const ParameterList& list) {
     check_parameters(material_table(), list);
-    const SceneParameter* const reflectance = find_parameter(list, "reflectance");
-    return reflectance == nullptr ? DiffuseMaterial{} : DiffuseMaterial{spectra_.reflectance(*reflectance)};
+    return {textures_.reflectance_or(list, "reflectance", 0.5, spectra_)};
 }
 
 int SceneBuilder::add_material(Material material) {
@@ -144,6 +143,10 @@ void SceneBuilder::named_material(const SourcePlace& place, const std::string& n
     NamedMaterial& slot = named_slot(name);
     if (!slot.first_use) slot.first_use = place;
     state_.material = slot.material;
+}
+
+void SceneBuilder::texture(const TextureDeclaration& declaration, const ParameterList& list) {
+    textures_.make(declaration, list, {scene_, spectra_, state_.frame.world_from_object});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& list) {

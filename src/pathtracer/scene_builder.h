@@ -10,10 +10,12 @@
 #include <Imath/ImathMatrix.h>
 
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
 #include "pathtracer/scene_lights.h"
 #include "pathtracer/scene_options.h"
 #include "pathtracer/scene_shapes.h"
 #include "pathtracer/scene_spectra.h"
+#include "pathtracer/scene_textures.h"
 
 namespace emulsion {
 
@@ -30,7 +32,10 @@ enum class SceneBlock { options, world };
 /// directive.
 class SceneBuilder {
   public:
-    explicit SceneBuilder(std::filesystem::path folder) : spectra_(std::move(folder)) {}
+    explicit SceneBuilder(std::filesystem::path folder) : files_(std::move(folder)), spectra_(files_) {}
+    SceneBuilder(const SceneBuilder&) = delete;
+    SceneBuilder& operator=(const SceneBuilder&) = delete;
+    ~SceneBuilder() = default;
 
     [[nodiscard]] SceneBlock block() const noexcept { return block_; }
 
@@ -52,14 +57,15 @@ class SceneBuilder {
     void material(const SourcePlace& place, const ParameterList& list);
     void make_named_material(const SourcePlace& place, ParameterList list);
     void named_material(const SourcePlace& place, const std::string& name);
+    void texture(const TextureDeclaration& declaration, const ParameterList& list);
     void area_light_source(const SourcePlace& place, const ParameterList& list);
     void light_source(const SourcePlace& place, const ParameterList& list);
     void shape(const SourcePlace& place, const ParameterList& list);
 
     /// The scene, at the end of the text.
     [[nodiscard]] Scene finish(const SourcePlace& end);
-    /// Of the contents of the files that the scene names, so far.
-    [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return spectra_.files_read(); }
+    /// The files that the scene names.
+    [[nodiscard]] SceneFiles& files() noexcept { return files_; }
 
   private:
     struct NamedMaterial {
@@ -80,7 +86,9 @@ class SceneBuilder {
 
     Scene scene_;
     double exposure_time_s_ = 1.0;  // of the camera
+    SceneFiles files_;
     SpectrumReader spectra_;
+    SceneTextures textures_;
     SceneBlock block_ = SceneBlock::options;
     GraphicsState state_;
     std::vector<SavedState> saved_;

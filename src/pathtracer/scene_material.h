@@ -44,7 +44,7 @@ struct ThinDielectricMaterial {
     Spectrum eta = ConstantSpectrum{1.5};
 };
 
-/// Lambertian on both sides of the surface; reflectance + transmittance <= 1, or both are scaled down by their sum.
+/// Lambertian on both sides of the surface. As in pbrt-v4 nothing keeps the sum of both below 1.
 struct DiffuseTransmissionMaterial {
     ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.25});
     ReflectanceParameter transmittance = Spectrum(ConstantSpectrum{0.25});

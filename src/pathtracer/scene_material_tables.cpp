@@ -12,7 +12,7 @@ using enum ValueRange;
 using enum Support;
 
 constexpr auto kDiffuse = std::to_array<ParameterSpec>({
-    {.name = "reflectance", .kind = spectrum},
+    {.name = "reflectance", .kind = spectrum_or_texture},
     {.name = "displacement", .support = pbrt_only},
     {.name = "normalmap", .support = pbrt_only},
 });

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
-#include "core/text_file.h"
 #include "core/units.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/named_spectra.h"
@@ -81,7 +80,7 @@ PiecewiseLinearSpectrum read_spectrum_file(const std::filesystem::path& path, co
 }
 
 /// A named spectrum, or one from a file.
-Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files, const Bounds& bounds) {
+Spectrum spectrum_of_name(const SceneParameter& parameter, SceneFiles& files, const Bounds& bounds) {
     const std::string& name = parameter.strings.front();
     if (const auto named = named_spectrum(name)) {
         const auto* const table = std::get_if<PiecewiseLinearSpectrum>(&*named);
@@ -91,20 +90,16 @@ Spectrum spectrum_of_name(const SceneParameter& parameter, SpectrumFiles& files,
         }
         return *named;
     }
-    const std::filesystem::path path = files.folder / name;
+    const std::filesystem::path path = files.path_of(name);
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) throw_unknown_spectrum(parameter.first_value, name);
     std::string content;
     try {
-        content = read_text_file(path);
+        content = files.read(name);
     } catch (const IoError& error) {
         throw SceneError(parameter.first_value, fmt::format("spectrum {} ({})", quote(name), error.reason()),
                          "a known one, or a file that can be read");
     }
-    // With its size, so that the end of one file and the beginning of the next don't pass for each other.
-    files.contents.add(fmt::format("{}:", content.size()));
-    files.contents.add(content);
-    files.read.push_back(path);
     return read_spectrum_file(path, content, bounds);
 }
 
@@ -122,7 +117,7 @@ RGBd rgb_of(const SceneParameter& parameter, const Bounds& bounds) {
 }
 
 /// Every type but rgb.
-Spectrum spectrum_of(const SceneParameter& parameter, SpectrumFiles& files, const Bounds& bounds) {
+Spectrum spectrum_of(const SceneParameter& parameter, SceneFiles& files, const Bounds& bounds) {
     const std::vector<double>& numbers = parameter.numbers;
     if (parameter.type == DeclaredType::blackbody) {
         if (numbers.size() != 1) {
@@ -157,13 +152,13 @@ const RgbUplift& SpectrumReader::uplift() {
 }
 
 Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
-    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, files_, kReflectanceBounds);
+    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kReflectanceBounds);
     return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
 ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
     Spectrum spectrum = parameter.type == DeclaredType::rgb ? Spectrum(uplift().light(rgb_of(parameter, kLightBounds)))
-                                                            : spectrum_of(parameter, files_, kLightBounds);
+                                                            : spectrum_of(parameter, *files_, kLightBounds);
     const double scale = unit_scale(spectrum);
     if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",

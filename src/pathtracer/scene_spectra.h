@@ -7,31 +7,20 @@
 //     "spectrum L" "stdillum-A"           a named spectrum (spectrum/named_spectra.h)
 //     "spectrum L" "lamp.spd"             a file of pairs as above, # begins a comment; relative to the scene file
 
-#include <filesystem>
 #include <optional>
-#include <vector>
 
-#include "core/content_hash.h"
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
 #include "pathtracer/scene_parameters.h"
 #include "spectrum/rgb_uplift.h"
 
 namespace emulsion {
 
-/// Files that a scene reads spectra from.
-struct SpectrumFiles {
-    std::filesystem::path folder;             ///< of relative names
-    ContentHash contents;                     ///< of the files that were read, in the order of reading
-    std::vector<std::filesystem::path> read;  ///< in that order
-};
-
 /// Reads the spectra of one scene.
 class SpectrumReader {
   public:
-    /// Relative file names are looked for in `folder`.
-    explicit SpectrumReader(std::filesystem::path folder) : files_{std::move(folder), {}, {}} {}
-
-    [[nodiscard]] const SpectrumFiles& files_read() const noexcept { return files_; }
+    /// `files` must outlive this.
+    explicit SpectrumReader(SceneFiles& files) noexcept : files_(&files) {}
 
     /// A reflectance.
     /// \throws SceneError if it is malformed, unknown, or outside [0, 1] at any of its points (pbrt-v4 refuses such RGB
@@ -49,7 +38,7 @@ class SpectrumReader {
   private:
     [[nodiscard]] const RgbUplift& uplift();
 
-    SpectrumFiles files_;
+    SceneFiles* files_;
     // Both are made when they are first asked for.
     std::optional<RgbUplift> uplift_;
     std::optional<ScaledSpectrum> default_light_;

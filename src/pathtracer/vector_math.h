@@ -32,6 +32,9 @@ struct Frame {
     [[nodiscard]] Imath::V3f to_world(const Imath::V3f& local) const noexcept {
         return tangent * local.x + bitangent * local.y + normal * local.z;
     }
+    [[nodiscard]] Imath::V3f to_local(const Imath::V3f& world) const noexcept {
+        return {world.dot(tangent), world.dot(bitangent), world.dot(normal)};
+    }
 };
 
 /// Uniform on the unit disk, from the unit square by concentric squares and circles.

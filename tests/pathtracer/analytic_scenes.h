@@ -60,11 +60,11 @@ struct RadianceEstimate {
 inline RadianceEstimate estimate_radiance(const Scene& scene, const Ray& ray, int count, const Sampler& sampler = {},
                                           std::uint64_t seed = 1) {
     const PreparedScene prepared(scene, 1);
-    PathIntegrator<4> integrator(prepared, scene.integrator.max_depth);
+    PathIntegrator<SpectralTransport<4>> integrator(prepared, scene.integrator.max_depth);
     std::array<double, 4> sum{}, sum_of_squares{};
     constexpr int kBatch = 256;
     for (int begin = 0; begin < count; begin += kBatch) {
-        std::vector<Path<4>> paths(static_cast<std::size_t>(std::min(kBatch, count - begin)));
+        std::vector<Path<SpectralTransport<4>>> paths(static_cast<std::size_t>(std::min(kBatch, count - begin)));
         for (std::size_t i = 0; i < paths.size(); ++i) {
             paths[i].ray = ray;
             paths[i].samples = SampleSequence(sampler, seed, 0, 0, begin + static_cast<int>(i));

@@ -60,6 +60,7 @@ plant src/pathtracer/planted.cpp '#include <embree4/rtcore.h>' '2 files include 
 plant src/pathtracer/planted.cpp '#include <OpenEXR/ImfRgbaFile.h>' 'only film uses this library'
 plant src/cli/planted.cpp '#include <ImfInputFile.h>' 'only film uses this library'
 plant src/film/planted.cpp '#include <png.h>' 'only display uses this library'
+plant src/film/planted.cpp '#include <zlib.h>' 'only display pathtracer uses this library'
 plant src/gadgets/planted.cpp 'int planted;' "src/gadgets/: a folder that the table"
 plant tests/gadgets/planted.cpp '#include "core/image.h"' 'gadgets is no folder of src'
 plant CMakeLists.txt 'emulsion_room(core LINKS emulsion::film)' 'core links emulsion::film'
