@@ -81,7 +81,7 @@ struct BiasCase {
     Effort effort;
     int cases_in_all;
 };
-void PrintTo(const BiasCase& bias, std::ostream* out) { *out << bias.scene.name; }
+std::ostream& operator<<(std::ostream& out, const BiasCase& bias) { return out << bias.scene.name; }
 
 class Bias : public ::testing::TestWithParam<BiasCase> {};
 
@@ -170,8 +170,9 @@ BiasScene floor_under_panel() {
             for (int bx = 0; bx < kBlocksAcross; ++bx) {
                 Mean mean;
                 for (int i = 0; i < kSteps * kSteps; ++i) {
-                    const double right = (bx + (i % kSteps + 0.5) / kSteps) / kBlocksAcross;
-                    const double down = (by + (i / kSteps + 0.5) / kSteps) / kBlocksAcross;
+                    const int column = i % kSteps, row = i / kSteps;
+                    const double right = (bx + (column + 0.5) / kSteps) / kBlocksAcross;
+                    const double down = (by + (row + 0.5) / kSteps) / kBlocksAcross;
                     mean.add(form_factor(kHalfWidth * (2.0 * right - 1.0), kHalfWidth * (1.0 - 2.0 * down)));
                 }
                 blocks.push_back(mean.value() * once);

@@ -27,7 +27,7 @@ struct SamplingCase {
     std::string name;
     std::function<DensityCheckResult(Pcg32&)> check;
 };
-void PrintTo(const SamplingCase& sampling, std::ostream* out) { *out << sampling.name; }
+std::ostream& operator<<(std::ostream& out, const SamplingCase& sampling) { return out << sampling.name; }
 
 std::array<float, 2> next_2d(Pcg32& random) {
     const float u = random.next_float();
