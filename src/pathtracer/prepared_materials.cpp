@@ -69,53 +69,26 @@ class Preparation {
 
   private:
     PreparedReflectance reflectance(const ReflectanceParameter& parameter) {
-        return {spectra_.add_property(std::get<Spectrum>(parameter))};
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
+        return {spectra_.add_property(std::get<Spectrum>(parameter)), -1};
     }
     static PreparedNumber number(const FloatParameter& parameter) {
-        return {static_cast<float>(std::get<double>(parameter))};
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
+        return {static_cast<float>(std::get<double>(parameter)), -1};
     }
-    static PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap}; }
+    static PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap, r.u != r.v}; }
 
     SpectrumTables& spectra_;
 };
 
-/// Mixes refer to materials by index: each of them must come to an end.
-void check_mixes(const std::vector<Material>& materials) {
-    enum class State : std::uint8_t { unseen, open, ends };
-    std::vector<State> states(materials.size(), State::unseen);
-    std::vector<int> stack;
-    for (int start = 0; start < static_cast<int>(materials.size()); ++start) {
-        stack.push_back(start);
-        while (!stack.empty()) {
-            const auto top = static_cast<std::size_t>(stack.back());
-            const auto* mix = std::get_if<MixMaterial>(&materials[top]);
-            if (states[top] != State::unseen || mix == nullptr) {
-                states[top] = State::ends;
-                stack.pop_back();
-                continue;
-            }
-            states[top] = State::open;
-            for (const int part : {mix->first, mix->second}) {
-                const auto i = static_cast<std::size_t>(part);
-                if (i >= materials.size()) {
-                    throw std::invalid_argument("mix material " + std::to_string(top) + ": part " +
-                                                std::to_string(part) + " must be one of " +
-                                                std::to_string(materials.size()) + " materials");
-                }
-                if (states[i] == State::open) {
-                    throw std::invalid_argument("mix material " + std::to_string(i) + ": must not be part of itself");
-                }
-                if (states[i] == State::unseen) stack.push_back(part);
-            }
-        }
-    }
-}
-
 }  // namespace
 
-PreparedMaterials::PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra)
-    : spectra_(spectra) {
-    check_mixes(materials);
+PreparedMaterials::PreparedMaterials(const Scene& scene, SpectrumTables& spectra)
+    : spectra_(spectra), textures_(scene.float_textures, scene.reflectance_textures, spectra) {
+    const std::vector<Material>& materials = scene.materials;
+    if (const auto mix = endless_mix(materials)) {
+        throw std::invalid_argument("mix material " + std::to_string(*mix) + ": must not be part of itself");
+    }
     Preparation prepare(spectra);
     materials_.reserve(materials.size());
     for (const Material& material : materials) materials_.push_back(std::visit(prepare, material));
@@ -123,7 +96,7 @@ PreparedMaterials::PreparedMaterials(const std::vector<Material>& materials, Spe
 
 std::optional<std::uint32_t> PreparedMaterials::constant_diffuse(std::uint32_t i) const {
     const auto* diffuse = std::get_if<PreparedDiffuse>(&materials_.at(i));
-    if (diffuse == nullptr) return std::nullopt;
+    if (diffuse == nullptr || diffuse->reflectance.texture >= 0) return std::nullopt;
     return diffuse->reflectance.table;
 }
 
@@ -136,9 +109,10 @@ struct Facets {
     bool smooth = true;
 };
 
-Facets facets_of(const PreparedRoughness& roughness) noexcept {
-    float u = std::max(0.0f, roughness.u.constant), v = std::max(0.0f, roughness.v.constant);
-    if (roughness.remap) {
+Facets facets_of(float u, float v, bool remap) noexcept {
+    u = std::max(0.0f, u);
+    v = std::max(0.0f, v);
+    if (remap) {
         u = alpha_of_roughness(u);
         v = alpha_of_roughness(v);
     }
@@ -158,15 +132,15 @@ class BsdfMaker {
     static constexpr int N = Transport::kChannels;
     static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
 
-    BsdfMaker(const SpectrumTables& spectra, const typename Transport::Index& index, Channels channels,
-              std::uint64_t seed) noexcept
-        : spectra_(spectra), index_(index), channels_(channels), seed_(seed) {}
+    BsdfMaker(const SpectrumTables& spectra, const PreparedTextures& textures, const TexturePoint& point,
+              const typename Transport::Index& index, Channels channels, std::uint64_t seed) noexcept
+        : spectra_(spectra), textures_(textures), point_(point), index_(index), channels_(channels), seed_(seed) {}
 
     Bsdf<N> operator()(const PreparedConductor& m) const noexcept {
-        const Facets facets = facets_of(m.roughness);
+        const Facets facets = facets_at(m.roughness);
         if (!m.reflectance) return ConductorBsdf<N>{at(m.eta), at(m.k), facets.ggx, facets.smooth};
         // The k that has this reflectance at normal incidence with an eta of 1.
-        SampledSpectrum<N> k = at(m.reflectance->table);
+        SampledSpectrum<N> k = at(*m.reflectance);
         for (float& value : k.value) {
             const float r = std::clamp(value, 0.0f, 0.9999f);
             value = 2.0f * std::sqrt(r / (1.0f - r));
@@ -174,7 +148,7 @@ class BsdfMaker {
         return ConductorBsdf<N>{SampledSpectrum<N>(1.0f), k, facets.ggx, facets.smooth};
     }
     Bsdf<N> operator()(const PreparedDielectric& m) const noexcept {
-        Facets facets = facets_of(m.roughness);
+        Facets facets = facets_at(m.roughness);
         const SampledSpectrum<N> eta = shared_by_colours(index_or_one(at(m.eta)));
         if (eta[0] == 1.0f) facets.smooth = true;
         const bool disperses = kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && N > 1;
@@ -187,9 +161,9 @@ class BsdfMaker {
         return DiffuseTransmissionBsdf<N>{scaled(m.reflectance, m.scale), scaled(m.transmittance, m.scale)};
     }
     Bsdf<N> operator()(const PreparedCoatedDiffuse& m) const noexcept {
-        const Facets facets = facets_of(m.roughness);
+        const Facets facets = facets_at(m.roughness);
         CoatedDiffuseBsdf<N> bsdf;
-        bsdf.reflectance = at(m.reflectance.table);
+        bsdf.reflectance = at(m.reflectance);
         bsdf.eta = shared_by_colours(index_or_one(at(m.eta)))[0];
         bsdf.thickness = m.thickness;
         bsdf.terms = m.terms;
@@ -205,8 +179,16 @@ class BsdfMaker {
 
   private:
     SampledSpectrum<N> at(std::uint32_t table) const noexcept { return spectra_[table].at(index_); }
+    SampledSpectrum<N> at(const PreparedReflectance& reflectance) const noexcept {
+        if (reflectance.texture < 0) return at(reflectance.table);
+        return textures_.reflectance({reflectance.texture}, point_, index_);
+    }
+    float at(const PreparedNumber& number) const noexcept {
+        return number.texture < 0 ? number.constant : textures_.number({number.texture}, point_);
+    }
+    Facets facets_at(const PreparedRoughness& r) const noexcept { return facets_of(at(r.u), at(r.v), r.remap); }
     SampledSpectrum<N> scaled(const PreparedReflectance& reflectance, float scale) const noexcept {
-        SampledSpectrum<N> values = at(reflectance.table) * scale;
+        SampledSpectrum<N> values = at(reflectance) * scale;
         for (float& value : values.value) value = std::clamp(value, 0.0f, 1.0f);
         return values;
     }
@@ -217,6 +199,8 @@ class BsdfMaker {
     }
 
     const SpectrumTables& spectra_;
+    const PreparedTextures& textures_;
+    const TexturePoint& point_;
     const typename Transport::Index& index_;
     Channels channels_;
     std::uint64_t seed_;
@@ -225,21 +209,42 @@ class BsdfMaker {
 }  // namespace
 
 template <class Transport>
-Bsdf<Transport::kChannels> PreparedMaterials::bsdf(const PreparedMaterial& material,
+Bsdf<Transport::kChannels> PreparedMaterials::bsdf(const PreparedMaterial& material, const TexturePoint& point,
                                                    const typename Transport::Index& index, Channels channels,
                                                    std::uint64_t seed) const noexcept {
-    return visit_noexcept(BsdfMaker<Transport>(spectra_, index, channels, seed), material);
+    return visit_noexcept(BsdfMaker<Transport>(spectra_, textures_, point, index, channels, seed), material);
 }
 
-bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material) const noexcept {
+bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept {
     if (const auto* coated = std::get_if<PreparedCoatedDiffuse>(&material)) return coated->disperses;
     const auto* dielectric = std::get_if<PreparedDielectric>(&material);
-    return dielectric != nullptr && dielectric->disperses && !facets_of(dielectric->roughness).smooth;
+    if (dielectric == nullptr || !dielectric->disperses) return false;
+    const PreparedRoughness& r = dielectric->roughness;
+    return !facets_of(number(r.u, point), number(r.v, point), r.remap).smooth;
 }
 
-#define EMULSION_INSTANTIATE(TRANSPORT)                                     \
-    template Bsdf<TRANSPORT::kChannels> PreparedMaterials::bsdf<TRANSPORT>( \
-        const PreparedMaterial&, const TRANSPORT::Index&, Channels, std::uint64_t) const noexcept;
+namespace {
+
+const PreparedRoughness* roughness_of(const PreparedMaterial& material) noexcept {
+    return visit_noexcept(
+        [](const auto& m) -> const PreparedRoughness* {
+            if constexpr (requires { m.roughness; }) return &m.roughness;
+            return nullptr;
+        },
+        material);
+}
+
+}  // namespace
+
+bool PreparedMaterials::is_anisotropic(const PreparedMaterial& material) const noexcept {
+    const PreparedRoughness* roughness = roughness_of(material);
+    return roughness != nullptr && roughness->anisotropic;
+}
+
+#define EMULSION_INSTANTIATE(TRANSPORT)                                                                 \
+    template Bsdf<TRANSPORT::kChannels> PreparedMaterials::bsdf<TRANSPORT>(                             \
+        const PreparedMaterial&, const TexturePoint&, const TRANSPORT::Index&, Channels, std::uint64_t) \
+        const noexcept;
 EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

@@ -43,48 +43,61 @@ std::array<float, N> wavelengths_of(const SpectrumTableIndex<N>& index) noexcept
     return lambda_nm;
 }
 
+template <int N>
+SampledSpectrum<N> values_of(const SigmoidTable& sigmoids, const RGB& colour,
+                             const SpectrumTableIndex<N>& index) noexcept {
+    return eval<N>(sigmoids.reflectance(colour), wavelengths_of(index));
+}
+SampledSpectrum<3> values_of(const SigmoidTable&, const RGB& colour, const RgbTransport::Index&) noexcept {
+    SampledSpectrum<3> values;
+    values.value = {colour.r, colour.g, colour.b};
+    return values;
+}
+
 }  // namespace
 
 // --- Preparation
 
 PreparedTextures::PreparedTextures(std::span<const FloatTexture> numbers,
-                                   std::span<const ReflectanceTexture> reflectances) {
+                                   std::span<const ReflectanceTexture> reflectances, SpectrumTables& spectra)
+    : spectra_(spectra) {
     for (const FloatTexture& texture : numbers) {
-        numbers_.push_back(prepared_node<Node<NumberOperand, float>>(texture));
+        numbers_.push_back(prepared_node<Node<NumberOperand, float>>(texture, spectra));
     }
     for (const ReflectanceTexture& texture : reflectances) {
-        reflectances_.push_back(prepared_node<Node<ReflectanceOperand, RGB>>(texture));
+        reflectances_.push_back(prepared_node<Node<ReflectanceOperand, RGB>>(texture, spectra));
         const bool image = std::holds_alternative<ImageTexture<RGB>>(texture);
         if (image && !sigmoids_) sigmoids_.emplace(rgb_space("sRGB"));
     }
 }
 
-PreparedTextures::NumberOperand PreparedTextures::prepared(const FloatParameter& parameter) {
+PreparedTextures::NumberOperand PreparedTextures::prepared(const FloatParameter& parameter, SpectrumTables&) {
     if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
     return {static_cast<float>(std::get<double>(parameter)), -1};
 }
 
-PreparedTextures::ReflectanceOperand PreparedTextures::prepared(const ReflectanceParameter& parameter) {
+PreparedTextures::ReflectanceOperand PreparedTextures::prepared(const ReflectanceParameter& parameter,
+                                                                SpectrumTables& spectra) {
     if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
-    constants_.emplace_back(std::get<Spectrum>(parameter));
-    return {static_cast<std::uint32_t>(constants_.size() - 1), -1};
+    return {spectra.add_property(std::get<Spectrum>(parameter)), -1};
 }
 
 template <class NodeType, class Texture>
-NodeType PreparedTextures::prepared_node(const Texture& texture) {
-    const auto prepare = [this](const auto& given) -> NodeType {
+NodeType PreparedTextures::prepared_node(const Texture& texture, SpectrumTables& spectra) {
+    const auto prepare = [&spectra](const auto& given) -> NodeType {
         if constexpr (requires { given.image; }) {
             return given;
         } else if constexpr (requires { given.scale; }) {
-            return Scale<decltype(prepared(given.texture))>{prepared(given.texture), prepared(given.scale)};
+            return Scale<decltype(prepared(given.texture, spectra))>{prepared(given.texture, spectra),
+                                                                     prepared(given.scale, spectra)};
         } else if constexpr (requires { given.amount; }) {
-            return Mix<decltype(prepared(given.first))>{prepared(given.first), prepared(given.second),
-                                                        prepared(given.amount)};
+            return Mix<decltype(prepared(given.first, spectra))>{
+                prepared(given.first, spectra), prepared(given.second, spectra), prepared(given.amount, spectra)};
         } else {
             static_assert(
                 requires { given.mapping; }, "a kind of texture that is not prepared");
-            return Checkerboard<decltype(prepared(given.first))>{prepared(given.first), prepared(given.second),
-                                                                 given.mapping};
+            return Checkerboard<decltype(prepared(given.first, spectra))>{
+                prepared(given.first, spectra), prepared(given.second, spectra), given.mapping};
         }
     };
     return std::visit(prepare, texture);
@@ -112,13 +125,13 @@ float PreparedTextures::value(const NumberOperand& operand, const TexturePoint& 
     return operand.texture < 0 ? operand.constant : number({operand.texture}, point);
 }
 
-template <int N>
-SampledSpectrum<N> PreparedTextures::value(const ReflectanceOperand& operand, const TexturePoint& point,
-                                           const SpectrumTableIndex<N>& index) const noexcept {
-    if (operand.texture < 0) return constants_[operand.table].at(index);
-    const auto evaluate = [&](const auto& node) noexcept -> SampledSpectrum<N> {
+template <class Index>
+ValuesAt<Index> PreparedTextures::value(const ReflectanceOperand& operand, const TexturePoint& point,
+                                        const Index& index) const noexcept {
+    if (operand.texture < 0) return spectra_[operand.table].at(index);
+    const auto evaluate = [&](const auto& node) noexcept -> ValuesAt<Index> {
         if constexpr (requires { node.image; }) {
-            return eval<N>(sigmoids_->reflectance(colour_of(node, point)), wavelengths_of(index));
+            return values_of(*sigmoids_, colour_of(node, point), index);
         } else if constexpr (requires { node.scale; }) {
             return value(node.texture, point, index) * value(node.scale, point);
         } else if constexpr (requires { node.amount; }) {
@@ -131,25 +144,17 @@ SampledSpectrum<N> PreparedTextures::value(const ReflectanceOperand& operand, co
     return visit_noexcept(evaluate, reflectances_[static_cast<std::size_t>(operand.texture)]);
 }
 
-template <int N>
-SampledSpectrum<N> PreparedTextures::reflectance(TextureIndex texture, const TexturePoint& point,
-                                                 const SpectrumTableIndex<N>& index) const noexcept {
-    SampledSpectrum<N> result = value(ReflectanceOperand{0, texture.index}, point, index);
+template <class Index>
+ValuesAt<Index> PreparedTextures::reflectance(TextureIndex texture, const TexturePoint& point,
+                                              const Index& index) const noexcept {
+    ValuesAt<Index> result = value(ReflectanceOperand{0, texture.index}, point, index);
     for (float& r : result.value) r = r > 0.0f ? std::min(r, 1.0f) : 0.0f;
     return result;
 }
 
-template SampledSpectrum<1> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                          const SpectrumTableIndex<1>&) const noexcept;
-template SampledSpectrum<2> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                          const SpectrumTableIndex<2>&) const noexcept;
-template SampledSpectrum<4> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                          const SpectrumTableIndex<4>&) const noexcept;
-template SampledSpectrum<8> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                          const SpectrumTableIndex<8>&) const noexcept;
-template SampledSpectrum<16> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                           const SpectrumTableIndex<16>&) const noexcept;
-template SampledSpectrum<32> PreparedTextures::reflectance(TextureIndex, const TexturePoint&,
-                                                           const SpectrumTableIndex<32>&) const noexcept;
+#define EMULSION_INSTANTIATE(TRANSPORT)                                                                  \
+    template ValuesAt<TRANSPORT::Index> PreparedTextures::reflectance(TextureIndex, const TexturePoint&, \
+                                                                      const TRANSPORT::Index&) const noexcept;
+EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion
