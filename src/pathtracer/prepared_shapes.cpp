@@ -15,14 +15,15 @@ constexpr double kPi = std::numbers::pi;
 
 void PreparedScene::add_shape(const Shape& shape, LightPowers& powers) {
     PreparedShape prepared;
-    prepared.reflectance = material_reflectance_.at(static_cast<std::size_t>(shape.material));
+    prepared.material = static_cast<std::uint32_t>(shape.material);
+    prepared.diffuse_table = materials_->constant_diffuse(prepared.material);
     prepared.mesh = std::get_if<TriangleMesh>(&shape.geometry);
     if (prepared.mesh == nullptr) {
         prepared.sphere = std::make_unique<PreparedSphere>(std::get<Sphere>(shape.geometry));
     }
     if (shape.area_light) {
         const AreaLight& light = *shape.area_light;
-        const std::uint32_t radiance = add_spectrum(light.radiance.spectrum, light.radiance.scale);
+        const std::uint32_t radiance = spectra_.add_light(light.radiance);
         const double exitance = kPi * photometric_strength(light.radiance) * (light.two_sided ? 2.0 : 1.0);
         prepared.first_emitter = static_cast<std::uint32_t>(emitters_.size());
         prepared.two_sided = light.two_sided;

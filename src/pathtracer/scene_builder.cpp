@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pathtracer/scene_materials.h"
 #include "pathtracer/scene_transform.h"
 
 namespace emulsion {
@@ -74,10 +75,13 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
 
 // --- World
 
-DiffuseMaterial SceneBuilder::read_material(const ParameterList& list) {
-    check_parameters(material_table(), list);
-    const SceneParameter* const reflectance = find_parameter(list, "reflectance");
-    return reflectance == nullptr ? DiffuseMaterial{} : DiffuseMaterial{spectra_.reflectance(*reflectance)};
+Material SceneBuilder::read_material(const ParameterList& list) {
+    const auto named = [this](const SourcePlace& place, const std::string& name) {
+        NamedMaterial& slot = named_slot(name);
+        if (!slot.first_use) slot.first_use = place;
+        return slot.material;
+    };
+    return emulsion::read_material(list, {textures_, spectra_, named});
 }
 
 int SceneBuilder::add_material(Material material) {
@@ -112,7 +116,7 @@ void SceneBuilder::make_named_material(const SourcePlace& place, ParameterList l
     list.place = type->first_value;
     list.parameters.erase(type);
     inherit(AttributeTarget::material, material_table(), list);
-    DiffuseMaterial made = read_material(list);
+    Material made = read_material(list);
 
     NamedMaterial& slot = named_slot(name);
     if (slot.made) {
@@ -127,6 +131,13 @@ void SceneBuilder::named_material(const SourcePlace& place, const std::string& n
     NamedMaterial& slot = named_slot(name);
     if (!slot.first_use) slot.first_use = place;
     state_.material = slot.material;
+}
+
+void SceneBuilder::texture(const TextureDeclaration& declaration, ParameterList list) {
+    inherit(AttributeTarget::texture, declaration.kind == "float" ? float_texture_table() : reflectance_texture_table(),
+            list);
+    warn_of_motion(list.place, "the texture");
+    textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
@@ -177,6 +188,42 @@ void SceneBuilder::check_named_materials() const {
                      "one that MakeNamedMaterial makes" + nearest_hint(missing->first, made));
 }
 
+void SceneBuilder::check_mixes() const {
+    const auto place_of = [this](std::size_t material) {
+        const auto is_it = [material](const auto& e) {
+            return static_cast<std::size_t>(e.second.material) == material;
+        };
+        const auto entry = std::find_if(named_materials_.begin(), named_materials_.end(), is_it);
+        return entry == named_materials_.end() ? *world_begin_ : *entry->second.made;
+    };
+    if (const auto endless = endless_mix(scene_.materials)) {
+        throw SceneError(place_of(*endless), "a mix that is part of itself", "one of other materials");
+    }
+    for (const auto& [name, named] : named_materials_) {
+        const Material& material = scene_.materials[static_cast<std::size_t>(named.material)];
+        if (!std::holds_alternative<InterfaceMaterial>(material) || !named.first_use) continue;
+        for (const Material& other : scene_.materials) {
+            const auto* mix = std::get_if<MixMaterial>(&other);
+            if (mix == nullptr || (mix->first != named.material && mix->second != named.material)) continue;
+            throw SceneError(*named.made, fmt::format("the interface {} as part of a mix", quote(name)),
+                             "another material (known to pbrt-v4 and not yet supported here)");
+        }
+    }
+}
+
+void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
+    const auto is_interface = [this](const Shape& shape) {
+        return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
+    };
+    const auto emits = [&](const Shape& shape) { return is_interface(shape) && shape.area_light; };
+    if (const auto dark = std::count_if(shapes.begin(), shapes.end(), emits); dark > 0) {
+        warn(*world_begin_,
+             fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
+                         dark == 1 ? "" : "s"));
+    }
+    std::erase_if(shapes, is_interface);
+}
+
 void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {
     scene_.warnings.push_back(to_text(place) + ": " + what);
 }
@@ -185,6 +232,9 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     if (!world_begin_) throw SceneError(end, "the end of the file", "WorldBegin");
     require_closed_blocks();
     check_named_materials();
+    check_mixes();
+    leave_out_interfaces(scene_.shapes);
+    for (ObjectDefinition& object : scene_.objects) leave_out_interfaces(object.shapes);
     resolve_instances();
     scene_.sampler_seed = sampler_seed_.value_or(options_.seed);
     scene_.jitter = options_.jitter;

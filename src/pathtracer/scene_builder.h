@@ -18,6 +18,7 @@
 #include "pathtracer/scene_options.h"
 #include "pathtracer/scene_shapes.h"
 #include "pathtracer/scene_spectra.h"
+#include "pathtracer/scene_textures.h"
 
 namespace emulsion {
 
@@ -91,6 +92,7 @@ class SceneBuilder {
     void material(const SourcePlace& place, ParameterList list);
     void make_named_material(const SourcePlace& place, ParameterList list);
     void named_material(const SourcePlace& place, const std::string& name);
+    void texture(const TextureDeclaration& declaration, ParameterList list);
     void area_light_source(const SourcePlace& place, ParameterList list);
     void light_source(const SourcePlace& place, ParameterList list);
     void shape(const SourcePlace& place, ParameterList list);
@@ -141,10 +143,13 @@ class SceneBuilder {
     void end_block(const SourcePlace& place, BlockKind kind, std::string_view directive);
     void require_closed_blocks() const;
     void inherit(AttributeTarget target, const ImplementationTable& table, ParameterList& list) const;
-    [[nodiscard]] DiffuseMaterial read_material(const ParameterList& list);
+    [[nodiscard]] Material read_material(const ParameterList& list);
     [[nodiscard]] int add_material(Material material);
     [[nodiscard]] NamedMaterial& named_slot(const std::string& name);
     void check_named_materials() const;
+    void check_mixes() const;
+    /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void resolve_instances();
     void warn(const SourcePlace& place, const std::string& what);
 
@@ -154,6 +159,7 @@ class SceneBuilder {
     GlobalOptions options_;
     SceneFiles files_;
     SpectrumReader spectra_;
+    SceneTextures textures_;
     SceneBlock block_ = SceneBlock::options;
     GraphicsState state_;
     std::vector<OpenBlock> open_blocks_;

@@ -18,9 +18,11 @@ namespace emulsion {
 struct TriangleMesh {
     std::vector<Imath::V3f> position;  ///< world space
     std::vector<Imath::V3f> normal;    ///< shading normals in world space: one a position, or none
-    std::vector<Imath::V2f> uv;        ///< texture coordinates: one a position, or none
+    std::vector<Imath::V2f> uv;  ///< texture coordinates: one a position; none: (0, 0), (1, 0), (1, 1) at each triangle
+    std::vector<Imath::V3f> tangent;  ///< the way of growing u, for what is brushed: one a position, or none
     std::vector<std::array<std::uint32_t, 3>> triangle;
-    bool flip_normal = false;  ///< geometric normal: (p1 - p0) x (p2 - p0), turned round if set
+    /// Geometric normal: (p1 - p0) x (p2 - p0), turned round if set; where `normal` has any, on their side.
+    bool flip_normal = false;
 };
 
 /// The sphere of radius `radius` about the origin of object space; world_from_object may be any invertible affine map.

@@ -40,7 +40,32 @@ const SceneParameter* per_vertex(const ParameterList& list, std::string_view nam
                      fmt::format(R"(length {}, that of "P")", vertices));
 }
 
-/// Positions and normals in world space; no triangles yet.
+/// Texture coordinates, and tangents in world space.
+void read_coordinates(const ParameterList& list, const ShapeFrame& frame, TriangleMesh& mesh) {
+    const std::size_t vertices = mesh.position.size();
+    constexpr double kMost = std::numeric_limits<float>::max();
+    constexpr std::string_view kHeld = "coordinates that single precision holds";
+    if (const SceneParameter* const uv = per_vertex(list, "uv", 2, vertices)) {
+        mesh.uv.reserve(vertices);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const double u = uv->numbers[2 * i], v = uv->numbers[2 * i + 1];
+            if (!(std::abs(u) <= kMost && std::abs(v) <= kMost)) {
+                throw SceneError(place_of_value(*uv, 2 * i), fmt::format(R"(({:g}, {:g}) for parameter "uv")", u, v),
+                                 std::string(kHeld));
+            }
+            mesh.uv.emplace_back(static_cast<float>(u), static_cast<float>(v));
+        }
+    }
+    if (const SceneParameter* const tangents = per_vertex(list, "S", 3, vertices)) {
+        mesh.tangent.reserve(vertices);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const Imath::V3d world = transform_vector(frame.world_from_object, point_of(tangents->numbers, i));
+            mesh.tangent.push_back(single_precision(world, kMost, kHeld, *tangents, i));
+        }
+    }
+}
+
+/// Positions, normals and coordinates in world space; no triangles yet.
 TriangleMesh read_vertices(const ParameterList& list, const ShapeFrame& frame) {
     const SceneParameter* const positions = find_parameter(list, "P");
     if (positions == nullptr) {
@@ -53,8 +78,7 @@ TriangleMesh read_vertices(const ParameterList& list, const ShapeFrame& frame) {
         const Imath::V3d world = transform_point(frame.world_from_object, point_of(positions->numbers, i));
         mesh.position.push_back(single_precision(world, kReach, kWithinReach, *positions, i));
     }
-    per_vertex(list, "uv", 2, vertices);
-    per_vertex(list, "S", 3, vertices);
+    read_coordinates(list, frame, mesh);
 
     const bool reversed = frame.orientation == Orientation::reversed;
     if (const SceneParameter* const normals = per_vertex(list, "N", 3, vertices)) {
@@ -105,15 +129,6 @@ Imath::V3d edge_cross(const TriangleMesh& mesh, const Triangle& triangle) noexce
     return (Imath::V3d(mesh.position[triangle[1]]) - p0).cross(Imath::V3d(mesh.position[triangle[2]]) - p0);
 }
 
-/// Winds the triangle so that its edges' cross product is on the side of the corners' normals.
-Triangle wound_by_normals(const TriangleMesh& mesh, Triangle triangle) noexcept {
-    if (mesh.normal.empty()) return triangle;
-    Imath::V3d side(0.0);
-    for (const std::uint32_t corner : triangle) side += Imath::V3d(mesh.normal[corner]);
-    if (edge_cross(mesh, triangle).dot(side) < 0.0) std::swap(triangle[1], triangle[2]);
-    return triangle;
-}
-
 /// Leaves out triangles without area. `face_size` triangles in a row are one face of the file.
 std::optional<ReadShape> finish_mesh(TriangleMesh mesh, const std::vector<Triangle>& triangles, std::size_t face_size,
                                      const ParameterList& list, std::vector<std::string>& warnings) {
@@ -125,7 +140,7 @@ std::optional<ReadShape> finish_mesh(TriangleMesh mesh, const std::vector<Triang
         for (std::size_t i = face; i < face + face_size; ++i) {
             const double area = 0.5 * edge_cross(mesh, triangles[i]).length();
             face_area += area;
-            if (area > 0.0) mesh.triangle.push_back(wound_by_normals(mesh, triangles[i]));
+            if (area > 0.0) mesh.triangle.push_back(triangles[i]);
         }
         light_areas.resize(mesh.triangle.size(), face_area);
     }

@@ -48,6 +48,13 @@ Token read_string(Lexer& lexer, const Token& directive) {
     throw SceneError(token.place, describe(token), fmt::format("a string after {}", directive.text));
 }
 
+/// The parameters of an implementation that `owner` names.
+ParameterList read_list(Reading& r, const Token& owner) {
+    ParameterList list{string_value(owner), owner.place, read_parameters(r.lexer), r.scene.color_space()};
+    for (SceneParameter& parameter : list.parameters) parameter.color_space = list.color_space;
+    return list;
+}
+
 // --- The directives
 
 void run_identity(Reading& r) { r.scene.transform(r.directive.place, Imath::M44d()); }
@@ -147,13 +154,17 @@ void run_import(Reading& r) {
     r.scene.import_begin();
 }
 
+void run_texture(Reading& r) {
+    const Token name = read_string(r.lexer, r.directive), kind = read_string(r.lexer, r.directive);
+    const Token texture_class = read_string(r.lexer, r.directive);
+    r.scene.texture({string_value(name), string_value(kind), name.place, kind.place}, read_list(r, texture_class));
+}
+
 /// Directives of a name and parameters.
 template <auto Apply>
 void run_named(Reading& r) {
     const Token name = read_string(r.lexer, r.directive);
-    ParameterList list{string_value(name), name.place, read_parameters(r.lexer), r.scene.color_space()};
-    for (SceneParameter& parameter : list.parameters) parameter.color_space = list.color_space;
-    (r.scene.*Apply)(r.directive.place, std::move(list));
+    (r.scene.*Apply)(r.directive.place, read_list(r, name));
 }
 
 enum class Where { anywhere, options, world };
@@ -200,6 +211,7 @@ constexpr auto kDirectives = std::to_array<Directive>({
     {"Sampler", run_named<&SceneBuilder::sampler>, options},
     {"Scale", run_scale, anywhere},
     {"Shape", run_named<&SceneBuilder::shape>, world},
+    {"Texture", run_texture, world},
     {"Transform", run_transform, anywhere},
     {"TransformBegin", run_transform_begin, world},
     {"TransformEnd", run_transform_end, world},
@@ -207,7 +219,6 @@ constexpr auto kDirectives = std::to_array<Directive>({
     {"Translate", run_translate, anywhere},
     {"WorldBegin", run_world_begin, options},
     {.name = "MakeNamedMedium", .support = Support::pbrt_only, .advice = "there are no media here"},
-    {.name = "Texture", .support = Support::pbrt_only},
 });
 
 void check_block(const Token& token, const Directive& directive, SceneBlock block) {

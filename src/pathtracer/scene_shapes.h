@@ -1,10 +1,9 @@
 #pragma once
 // Shape directives to geometry in world space.
 //
-// Which way a mesh faces is settled here: triangles are wound, and flip_normal set, so that the geometric normal is the
-// one that pbrt-v4 uses. Without N that is the cross product of the world-space edges, turned round if
-// ReverseOrientation or a transformation that swaps handedness (but not both) says so; with N it is the side that the
-// normals of the three corners point to.
+// Which way a mesh faces is settled here: flip_normal is set so that the geometric normal is the one that pbrt-v4 uses.
+// Without N that is the cross product of the world-space edges, turned round if ReverseOrientation or a transformation
+// that swaps handedness (but not both) says so; with N it is the side that the interpolated normal points to.
 //
 // A sphere's is outward, turned by ReverseOrientation alone, whatever the transformation. This departs from pbrt-v4
 // under a mirroring one: there, a ray that meets the sphere finds its normal turned once more, while light sampling
@@ -41,9 +40,8 @@ struct ReadShape {
 
 /// Triangles without area are left out and counted in a warning; if none is left, the shape is unset.
 ///
-/// A bilinear patch becomes two triangles: it must be flat (to 1e-5 of its diagonal) and convex. Texture coordinates
-/// and tangents (uv, S) are checked, and dropped: nothing here depends on them. \throws SceneError naming the token at
-/// fault.
+/// A bilinear patch becomes two triangles: it must be flat (to 1e-5 of its diagonal) and convex.
+/// \throws SceneError naming the token at fault.
 [[nodiscard]] std::optional<ReadShape> read_shape(const ParameterList& list, const ShapeFrame& frame,
                                                   std::vector<std::string>& warnings);
 

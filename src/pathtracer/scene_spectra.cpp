@@ -24,7 +24,7 @@ struct Bounds {
     std::string_view expected;
 };
 constexpr Bounds kReflectanceBounds = {1.0, "reflectances from 0 to 1"};
-constexpr Bounds kLightBounds = {HUGE_VAL, "0 or a number above"};
+constexpr Bounds kUnboundedBounds = {HUGE_VAL, "0 or a number above"};
 
 bool within(double value, const Bounds& bounds) noexcept { return value >= 0.0 && value <= bounds.max; }
 
@@ -160,10 +160,15 @@ Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
     return uplift(parameter.color_space).reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
+Spectrum SpectrumReader::index_of_refraction(const SceneParameter& parameter) {
+    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kUnboundedBounds);
+    return uplift(parameter.color_space).unbounded(rgb_of(parameter, kUnboundedBounds));
+}
+
 ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
     const bool is_rgb = parameter.type == DeclaredType::rgb;
-    Spectrum spectrum = is_rgb ? uplift(parameter.color_space).light(rgb_of(parameter, kLightBounds))
-                               : spectrum_of(parameter, *files_, kLightBounds);
+    Spectrum spectrum = is_rgb ? uplift(parameter.color_space).light(rgb_of(parameter, kUnboundedBounds))
+                               : spectrum_of(parameter, *files_, kUnboundedBounds);
     const double scale = unit_scale(spectrum);
     if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",

@@ -54,6 +54,7 @@ struct TriangleGeometry {
     [[nodiscard]] Imath::V3f at(float u, float v) const noexcept { return p0 + edge1 * u + edge2 * v; }
 };
 
+/// With normals at the corners, their interpolation also says on which side the geometric normal is, as in pbrt-v4.
 [[nodiscard]] inline SurfacePoint surface_point(const TriangleMesh& mesh, const TriangleGeometry& triangle,
                                                 const Hit& hit) noexcept {
     SurfacePoint point{triangle.at(hit.u, hit.v), triangle.normal, triangle.normal, triangle.offset};
@@ -61,7 +62,10 @@ struct TriangleGeometry {
         const auto& corner = mesh.triangle[hit.primitive];
         const Imath::V3f interpolated = mesh.normal[corner[0]] * (1.0f - hit.u - hit.v) +
                                         mesh.normal[corner[1]] * hit.u + mesh.normal[corner[2]] * hit.v;
-        if (interpolated.dot(interpolated) > 0.0f) point.shading_normal = unit(interpolated);
+        if (interpolated.dot(interpolated) > 0.0f) {
+            point.shading_normal = unit(interpolated);
+            if (point.geometric_normal.dot(interpolated) < 0.0f) point.geometric_normal = -point.geometric_normal;
+        }
     }
     return point;
 }

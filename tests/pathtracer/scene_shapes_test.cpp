@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pathtracer/scene_mesh.h"
+#include "pathtracer/surface.h"
 #include "scene_text.h"
 
 namespace emulsion {
@@ -25,9 +26,9 @@ Imath::V3f edge_cross(const TriangleMesh& mesh, const Triangle& triangle) {
     return (mesh.position.at(triangle[1]) - p0).cross(mesh.position.at(triangle[2]) - p0);
 }
 
-/// The z of the geometric normal that the mesh's first triangle has.
+/// The z of the geometric normal amid the mesh's first triangle.
 float normal_z(const TriangleMesh& mesh) {
-    return edge_cross(mesh, mesh.triangle.at(0)).z * (mesh.flip_normal ? -1.0f : 1.0f);
+    return surface_point(mesh, TriangleGeometry(mesh, 0), {.u = 0.25f, .v = 0.25f}).geometric_normal.z;
 }
 
 TEST(SceneShapes, TriangleMesh) {
@@ -39,6 +40,9 @@ TEST(SceneShapes, TriangleMesh) {
     EXPECT_THAT(mesh.triangle, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}));
     EXPECT_TRUE(mesh.normal.empty());
     EXPECT_FALSE(mesh.flip_normal);
+    EXPECT_THAT(mesh.uv, ElementsAre(Imath::V2f(0, 0), Imath::V2f(1, 0), Imath::V2f(0, 1), Imath::V2f(1, 1)));
+    EXPECT_THAT(mesh.tangent,
+                ElementsAre(Imath::V3f(2, 0, 0), Imath::V3f(2, 0, 0), Imath::V3f(2, 0, 0), Imath::V3f(2, 0, 0)));
 }
 
 TEST(SceneShapes, OneTriangleNeedsNoIndices) {
