@@ -70,11 +70,14 @@ bool PathIntegrator<Transport>::scatter(PathT& path, std::uint32_t path_index, c
     if (shape.diffuse_table) [[likely]] {
         reflectance = scene_.spectra()[*shape.diffuse_table].at(path.index);
     } else {
+        const PreparedMaterials& materials = scene_.materials();
+        TexturePoint on_texture;
+        if (materials.is_textured(shape.material)) on_texture = texture_point(scene_, hit, point);
         const PreparedMaterial& material =
-            scene_.materials().at(shape.material, [&path] { return path.samples.next_1d(); });
+            materials.at(shape.material, on_texture, [&path] { return path.samples.next_1d(); });
         const auto* diffuse = std::get_if<PreparedDiffuse>(&material);
-        if (diffuse == nullptr) return scatter_material(path, path_index, material, point, depth);
-        reflectance = scene_.spectra()[diffuse->reflectance.table].at(path.index);
+        if (diffuse == nullptr) return scatter_material(path, path_index, material, point, on_texture, depth);
+        reflectance = materials.template reflectance<Transport>(diffuse->reflectance, on_texture, path.index);
     }
 
     // Both sides of a diffuse surface reflect, each on its own side.

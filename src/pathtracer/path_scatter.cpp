@@ -8,15 +8,15 @@ namespace emulsion {
 template <class Transport>
 bool PathIntegrator<Transport>::scatter_material(PathT& path, std::uint32_t path_index,
                                                  const PreparedMaterial& material, const SurfacePoint& point,
-                                                 int depth) {
+                                                 const TexturePoint& on_texture, int depth) {
     const PreparedMaterials& materials = scene_.materials();
-    if (path.channels == Channels::all && materials.needs_one_channel(material)) {
+    if (path.channels == Channels::all && materials.needs_one_channel(material, on_texture)) {
         path.throughput *= of_first_channel<Transport::kChannels>(1.0f);
         path.channels = Channels::first_only;
     }
     std::uint64_t seed = 0;
     if (materials.is_estimated(material)) seed = static_cast<std::uint64_t>(path.samples.next_1d_fine() * 0x1p48);
-    const auto bsdf = materials.template bsdf<Transport>(material, path.index, path.channels, seed);
+    const auto bsdf = materials.template bsdf<Transport>(material, on_texture, path.index, path.channels, seed);
 
     const Frame frame(point.shading_normal);
     const Imath::V3f wo = frame.to_local(-path.ray.direction);
@@ -37,9 +37,9 @@ bool PathIntegrator<Transport>::scatter_material(PathT& path, std::uint32_t path
     return survives_roulette(path, depth);
 }
 
-#define EMULSION_INSTANTIATE(TRANSPORT)                                                        \
-    template bool PathIntegrator<TRANSPORT>::scatter_material(Path<TRANSPORT>&, std::uint32_t, \
-                                                              const PreparedMaterial&, const SurfacePoint&, int);
+#define EMULSION_INSTANTIATE(TRANSPORT)                        \
+    template bool PathIntegrator<TRANSPORT>::scatter_material( \
+        Path<TRANSPORT>&, std::uint32_t, const PreparedMaterial&, const SurfacePoint&, const TexturePoint&, int);
 EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

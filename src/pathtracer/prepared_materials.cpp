@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/units.h"
 
@@ -67,20 +68,32 @@ class Preparation {
     // Shapes of it are left out of scenes: what is left is a material that no shape has.
     PreparedMaterial operator()(const InterfaceMaterial&) { return (*this)(DiffuseMaterial{}); }
 
+    /// Whether a texture was met since the last call.
+    bool take_textured() noexcept { return std::exchange(textured_, false); }
+
   private:
     PreparedReflectance reflectance(const ReflectanceParameter& parameter) {
-        return {spectra_.add_property(std::get<Spectrum>(parameter))};
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, textured(*texture)};
+        return {spectra_.add_property(std::get<Spectrum>(parameter)), std::nullopt};
     }
-    static PreparedNumber number(const FloatParameter& parameter) {
-        return {static_cast<float>(std::get<double>(parameter))};
+    PreparedNumber number(const FloatParameter& parameter) {
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, textured(*texture)};
+        return {static_cast<float>(std::get<double>(parameter)), std::nullopt};
     }
-    static PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap}; }
+    TextureIndex textured(TextureIndex texture) noexcept {
+        textured_ = true;
+        return texture;
+    }
+    PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap}; }
 
     SpectrumTables& spectra_;
+    bool textured_ = false;
 };
 
-/// Mixes refer to materials by index: each of them must come to an end.
-void check_mixes(const std::vector<Material>& materials) {
+/// All materials, each after those that it is mixed from. Mixes refer to materials by index: each of them must come to
+/// an end.
+std::vector<std::size_t> parts_first(const std::vector<Material>& materials) {
+    std::vector<std::size_t> order;
     enum class State : std::uint8_t { unseen, open, ends };
     std::vector<State> states(materials.size(), State::unseen);
     std::vector<int> stack;
@@ -90,6 +103,7 @@ void check_mixes(const std::vector<Material>& materials) {
             const auto top = static_cast<std::size_t>(stack.back());
             const auto* mix = std::get_if<MixMaterial>(&materials[top]);
             if (states[top] != State::unseen || mix == nullptr) {
+                if (states[top] != State::ends) order.push_back(top);
                 states[top] = State::ends;
                 stack.pop_back();
                 continue;
@@ -109,21 +123,31 @@ void check_mixes(const std::vector<Material>& materials) {
             }
         }
     }
+    return order;
 }
 
 }  // namespace
 
-PreparedMaterials::PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra)
-    : spectra_(spectra) {
-    check_mixes(materials);
+PreparedMaterials::PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra,
+                                     const PreparedTextures& textures)
+    : spectra_(spectra), textures_(textures) {
+    const std::vector<std::size_t> order = parts_first(materials);
     Preparation prepare(spectra);
     materials_.reserve(materials.size());
-    for (const Material& material : materials) materials_.push_back(std::visit(prepare, material));
+    for (const Material& material : materials) {
+        materials_.push_back(std::visit(prepare, material));
+        textured_.push_back(prepare.take_textured() ? 1 : 0);
+    }
+    for (const std::size_t i : order) {
+        if (const auto* mix = std::get_if<PreparedMix>(&materials_[i])) {
+            if (textured_[mix->first] != 0 || textured_[mix->second] != 0) textured_[i] = 1;
+        }
+    }
 }
 
 std::optional<std::uint32_t> PreparedMaterials::constant_diffuse(std::uint32_t i) const {
     const auto* diffuse = std::get_if<PreparedDiffuse>(&materials_.at(i));
-    if (diffuse == nullptr) return std::nullopt;
+    if (diffuse == nullptr || diffuse->reflectance.texture) return std::nullopt;
     return diffuse->reflectance.table;
 }
 
@@ -136,8 +160,10 @@ struct Facets {
     bool smooth = true;
 };
 
-Facets facets_of(const PreparedRoughness& roughness) noexcept {
-    float u = std::max(0.0f, roughness.u.constant), v = std::max(0.0f, roughness.v.constant);
+Facets facets_of(const PreparedMaterials& materials, const PreparedRoughness& roughness,
+                 const TexturePoint& point) noexcept {
+    float u = std::max(0.0f, materials.number(roughness.u, point));
+    float v = std::max(0.0f, materials.number(roughness.v, point));
     if (roughness.remap) {
         u = alpha_of_roughness(u);
         v = alpha_of_roughness(v);
@@ -158,15 +184,15 @@ class BsdfMaker {
     static constexpr int N = Transport::kChannels;
     static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
 
-    BsdfMaker(const SpectrumTables& spectra, const typename Transport::Index& index, Channels channels,
-              std::uint64_t seed) noexcept
-        : spectra_(spectra), index_(index), channels_(channels), seed_(seed) {}
+    BsdfMaker(const SpectrumTables& spectra, const PreparedMaterials& materials, const TexturePoint& point,
+              const typename Transport::Index& index, Channels channels, std::uint64_t seed) noexcept
+        : spectra_(spectra), materials_(materials), point_(point), index_(index), channels_(channels), seed_(seed) {}
 
     Bsdf<N> operator()(const PreparedConductor& m) const noexcept {
-        const Facets facets = facets_of(m.roughness);
+        const Facets facets = facets_at(m.roughness);
         if (!m.reflectance) return ConductorBsdf<N>{at(m.eta), at(m.k), facets.ggx, facets.smooth};
         // The k that has this reflectance at normal incidence with an eta of 1.
-        SampledSpectrum<N> k = at(m.reflectance->table);
+        SampledSpectrum<N> k = at(*m.reflectance);
         for (float& value : k.value) {
             const float r = std::clamp(value, 0.0f, 0.9999f);
             value = 2.0f * std::sqrt(r / (1.0f - r));
@@ -174,7 +200,7 @@ class BsdfMaker {
         return ConductorBsdf<N>{SampledSpectrum<N>(1.0f), k, facets.ggx, facets.smooth};
     }
     Bsdf<N> operator()(const PreparedDielectric& m) const noexcept {
-        Facets facets = facets_of(m.roughness);
+        Facets facets = facets_at(m.roughness);
         const SampledSpectrum<N> eta = shared_by_colours(index_or_one(at(m.eta)));
         if (eta[0] == 1.0f) facets.smooth = true;
         const bool disperses = kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && N > 1;
@@ -187,9 +213,9 @@ class BsdfMaker {
         return DiffuseTransmissionBsdf<N>{scaled(m.reflectance, m.scale), scaled(m.transmittance, m.scale)};
     }
     Bsdf<N> operator()(const PreparedCoatedDiffuse& m) const noexcept {
-        const Facets facets = facets_of(m.roughness);
+        const Facets facets = facets_at(m.roughness);
         CoatedDiffuseBsdf<N> bsdf;
-        bsdf.reflectance = at(m.reflectance.table);
+        bsdf.reflectance = at(m.reflectance);
         bsdf.eta = shared_by_colours(index_or_one(at(m.eta)))[0];
         bsdf.thickness = m.thickness;
         bsdf.terms = m.terms;
@@ -205,8 +231,14 @@ class BsdfMaker {
 
   private:
     SampledSpectrum<N> at(std::uint32_t table) const noexcept { return spectra_[table].at(index_); }
+    SampledSpectrum<N> at(const PreparedReflectance& reflectance) const noexcept {
+        return materials_.template reflectance<Transport>(reflectance, point_, index_);
+    }
+    Facets facets_at(const PreparedRoughness& roughness) const noexcept {
+        return facets_of(materials_, roughness, point_);
+    }
     SampledSpectrum<N> scaled(const PreparedReflectance& reflectance, float scale) const noexcept {
-        SampledSpectrum<N> values = at(reflectance.table) * scale;
+        SampledSpectrum<N> values = at(reflectance) * scale;
         for (float& value : values.value) value = std::clamp(value, 0.0f, 1.0f);
         return values;
     }
@@ -217,6 +249,8 @@ class BsdfMaker {
     }
 
     const SpectrumTables& spectra_;
+    const PreparedMaterials& materials_;
+    const TexturePoint& point_;
     const typename Transport::Index& index_;
     Channels channels_;
     std::uint64_t seed_;
@@ -225,21 +259,22 @@ class BsdfMaker {
 }  // namespace
 
 template <class Transport>
-Bsdf<Transport::kChannels> PreparedMaterials::bsdf(const PreparedMaterial& material,
+Bsdf<Transport::kChannels> PreparedMaterials::bsdf(const PreparedMaterial& material, const TexturePoint& point,
                                                    const typename Transport::Index& index, Channels channels,
                                                    std::uint64_t seed) const noexcept {
-    return visit_noexcept(BsdfMaker<Transport>(spectra_, index, channels, seed), material);
+    return visit_noexcept(BsdfMaker<Transport>(spectra_, *this, point, index, channels, seed), material);
 }
 
-bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material) const noexcept {
+bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept {
     if (const auto* coated = std::get_if<PreparedCoatedDiffuse>(&material)) return coated->disperses;
     const auto* dielectric = std::get_if<PreparedDielectric>(&material);
-    return dielectric != nullptr && dielectric->disperses && !facets_of(dielectric->roughness).smooth;
+    return dielectric != nullptr && dielectric->disperses && !facets_of(*this, dielectric->roughness, point).smooth;
 }
 
-#define EMULSION_INSTANTIATE(TRANSPORT)                                     \
-    template Bsdf<TRANSPORT::kChannels> PreparedMaterials::bsdf<TRANSPORT>( \
-        const PreparedMaterial&, const TRANSPORT::Index&, Channels, std::uint64_t) const noexcept;
+#define EMULSION_INSTANTIATE(TRANSPORT)                                                                 \
+    template Bsdf<TRANSPORT::kChannels> PreparedMaterials::bsdf<TRANSPORT>(                             \
+        const PreparedMaterial&, const TexturePoint&, const TRANSPORT::Index&, Channels, std::uint64_t) \
+        const noexcept;
 EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

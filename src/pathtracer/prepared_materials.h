@@ -7,18 +7,21 @@
 #include <vector>
 
 #include "pathtracer/bsdf_variant.h"
+#include "pathtracer/prepared_textures.h"
 #include "pathtracer/scene_material.h"
 #include "pathtracer/spectrum_tables.h"
 #include "pathtracer/transport.h"
 
 namespace emulsion {
 
-/// A reflectance: a table of the scene's.
+/// A table of the scene's, or a texture.
 struct PreparedReflectance {
     std::uint32_t table = 0;
+    std::optional<TextureIndex> texture = {};
 };
 struct PreparedNumber {
     float constant = 0.0f;
+    std::optional<TextureIndex> texture = {};
 };
 struct PreparedRoughness {
     PreparedNumber u, v;
@@ -64,9 +67,10 @@ using PreparedMaterial = std::variant<PreparedDiffuse, PreparedConductor, Prepar
 
 class PreparedMaterials {
   public:
-    /// Adds the materials' spectra to `spectra`, and keeps a reference to it.
+    /// Adds the materials' spectra to `spectra`, and keeps references to it and to the textures.
     /// \throws std::invalid_argument naming what is out of range; for a mix that contains itself.
-    PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra);
+    PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra,
+                      const PreparedTextures& textures);
 
     [[nodiscard]] const PreparedMaterial& operator[](std::uint32_t i) const noexcept { return materials_[i]; }
 
@@ -74,25 +78,42 @@ class PreparedMaterials {
     /// \throws std::out_of_range if there is no such material.
     [[nodiscard]] std::optional<std::uint32_t> constant_diffuse(std::uint32_t i) const;
 
-    /// The material that a surface of material `i` shows, through mixes: drawn by `next_u`, uniform in [0, 1).
+    /// Whether the material, or one that it is mixed from, has a texture: only then the functions below look at the
+    /// point that they are given.
+    [[nodiscard]] bool is_textured(std::uint32_t i) const noexcept { return textured_[i] != 0; }
+
+    /// The material that a surface of material `i` shows at a point, through mixes: drawn by `next_u`, uniform in [0,
+    /// 1).
     template <class Source>
-    [[nodiscard]] const PreparedMaterial& at(std::uint32_t i, Source&& next_u) const noexcept {
+    [[nodiscard]] const PreparedMaterial& at(std::uint32_t i, const TexturePoint& point,
+                                             Source&& next_u) const noexcept {
         const PreparedMaterial* material = &materials_[i];
         while (const auto* mix = std::get_if<PreparedMix>(material)) {
-            material = &materials_[next_u() < mix->amount.constant ? mix->second : mix->first];
+            material = &materials_[next_u() < number(mix->amount, point) ? mix->second : mix->first];
         }
         return *material;
+    }
+
+    [[nodiscard]] float number(const PreparedNumber& number, const TexturePoint& point) const noexcept {
+        return number.texture ? textures_.number(*number.texture, point) : number.constant;
+    }
+    template <class Transport>
+    [[nodiscard]] SampledSpectrum<Transport::kChannels> reflectance(
+        const PreparedReflectance& reflectance, const TexturePoint& point,
+        const typename Transport::Index& index) const noexcept {
+        if (reflectance.texture) return textures_.reflectance<Transport>(*reflectance.texture, point, index);
+        return spectra_[reflectance.table].at(index);
     }
 
     /// How a material that is neither diffuse nor a mix scatters, for the path's channels. `seed` decides what a rough
     /// coat's estimates are.
     template <class Transport>
-    [[nodiscard]] Bsdf<Transport::kChannels> bsdf(const PreparedMaterial& material,
+    [[nodiscard]] Bsdf<Transport::kChannels> bsdf(const PreparedMaterial& material, const TexturePoint& point,
                                                   const typename Transport::Index& index, Channels channels,
                                                   std::uint64_t seed) const noexcept;
 
     /// Whether bsdf() of this material holds for the first channel alone, whatever direction is drawn.
-    [[nodiscard]] bool needs_one_channel(const PreparedMaterial& material) const noexcept;
+    [[nodiscard]] bool needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept;
     /// Whether it uses the seed.
     [[nodiscard]] bool is_estimated(const PreparedMaterial& material) const noexcept {
         return std::holds_alternative<PreparedCoatedDiffuse>(material);
@@ -100,7 +121,9 @@ class PreparedMaterials {
 
   private:
     const SpectrumTables& spectra_;
+    const PreparedTextures& textures_;
     std::vector<PreparedMaterial> materials_;
+    std::vector<std::uint8_t> textured_;  // of each material: 1 or 0
 };
 
 }  // namespace emulsion

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "pathtracer/scene_texture.h"
+#include "pathtracer/spectrum_tables.h"
 #include "pathtracer/texture_point.h"
-#include "spectrum/sampled_spectrum.h"
+#include "pathtracer/transport.h"
 #include "spectrum/sigmoid_table.h"
-#include "spectrum/spectrum_table.h"
 
 namespace emulsion {
 
@@ -20,18 +20,20 @@ namespace emulsion {
 /// (scene_textures.h).
 class PreparedTextures {
   public:
-    PreparedTextures() = default;
-    /// Images are shared with the lists; the lists themselves are not kept.
-    PreparedTextures(std::span<const FloatTexture> numbers, std::span<const ReflectanceTexture> reflectances);
+    /// Adds the textures' constant spectra to `spectra`, and keeps a reference to it. Images are shared with the lists;
+    /// the lists themselves are not kept.
+    /// \throws std::invalid_argument naming what is out of range.
+    PreparedTextures(std::span<const FloatTexture> numbers, std::span<const ReflectanceTexture> reflectances,
+                     SpectrumTables& spectra);
 
     /// The value of Scene::float_textures[texture] at a point.
     [[nodiscard]] float number(TextureIndex texture, const TexturePoint& point) const noexcept;
 
-    /// The value of Scene::reflectance_textures[texture] at a point and at the wavelengths of `index`, clamped to [0,
-    /// 1]: scales above 1 may lead out of it.
-    template <int N>
-    [[nodiscard]] SampledSpectrum<N> reflectance(TextureIndex texture, const TexturePoint& point,
-                                                 const SpectrumTableIndex<N>& index) const noexcept;
+    /// The value of Scene::reflectance_textures[texture] at a point, for the path's channels; clamped to [0, 1], as
+    /// scales above 1 may lead out of it.
+    template <class Transport>
+    [[nodiscard]] SampledSpectrum<Transport::kChannels> reflectance(
+        TextureIndex texture, const TexturePoint& point, const typename Transport::Index& index) const noexcept;
 
   private:
     // An operand is a constant if it has no texture.
@@ -40,7 +42,7 @@ class PreparedTextures {
         std::int32_t texture = -1;
     };
     struct ReflectanceOperand {
-        std::uint32_t table = 0;  // in constants_
+        std::uint32_t table = 0;  // in spectra_
         std::int32_t texture = -1;
     };
     template <class Operand>
@@ -61,19 +63,17 @@ class PreparedTextures {
     template <class Operand, class Texel>
     using Node = std::variant<Scale<Operand>, Mix<Operand>, Checkerboard<Operand>, ImageTexture<Texel>>;
 
-    [[nodiscard]] NumberOperand prepared(const FloatParameter& parameter);
-    [[nodiscard]] ReflectanceOperand prepared(const ReflectanceParameter& parameter);
-    template <class NodeType, class Texture>
-    [[nodiscard]] NodeType prepared_node(const Texture& texture);
+    class Preparation;
 
     [[nodiscard]] float value(const NumberOperand& operand, const TexturePoint& point) const noexcept;
-    template <int N>
-    [[nodiscard]] SampledSpectrum<N> value(const ReflectanceOperand& operand, const TexturePoint& point,
-                                           const SpectrumTableIndex<N>& index) const noexcept;
+    template <class Transport>
+    [[nodiscard]] SampledSpectrum<Transport::kChannels> value(const ReflectanceOperand& operand,
+                                                              const TexturePoint& point,
+                                                              const typename Transport::Index& index) const noexcept;
 
     std::vector<Node<NumberOperand, float>> numbers_;
     std::vector<Node<ReflectanceOperand, RGB>> reflectances_;
-    std::vector<SpectrumTable> constants_;
+    const SpectrumTables& spectra_;
     std::optional<SigmoidTable> sigmoids_;  // of sRGB; if there are images of reflectances
 };
 

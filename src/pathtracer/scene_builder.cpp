@@ -146,7 +146,7 @@ void SceneBuilder::named_material(const SourcePlace& place, const std::string& n
 }
 
 void SceneBuilder::texture(const TextureDeclaration& declaration, const ParameterList& list) {
-    textures_.make(declaration, list, {scene_, spectra_, state_.frame.world_from_object});
+    textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& list) {

@@ -111,12 +111,12 @@ ImageTexture<Texel> ImagemapReader::read(const ParameterList& list, const Textur
     const SceneParameter* const file = find_parameter(list, "filename");
     if (file == nullptr) throw SceneError(list.place, "an imagemap without a file", "a parameter \"string filename\"");
     const std::string& name = file->strings.front();
-    const std::filesystem::path path = context.spectra.files().folder / name;
+    const std::filesystem::path path = context.files.path_of(name);
     try {
         const TextureEncoding encoding = read_encoding(list, picture_format(path), context);
         auto& image = images<Texel>()[key_of(path, encoding, texture.filter)];
         if (!image) {
-            const std::string bytes = context.spectra.files().read_file(path);
+            const std::string bytes = context.files.read(name);
             if constexpr (std::is_same_v<Texel, float>) {
                 image = std::make_shared<const TextureImage<float>>(
                     TextureImage<float>{path, read_number_texels(path, bytes, encoding, texture.filter)});

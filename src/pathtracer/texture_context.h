@@ -3,6 +3,7 @@
 #include <Imath/ImathMatrix.h>
 
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
 #include "pathtracer/scene_spectra.h"
 
 namespace emulsion {
@@ -12,6 +13,7 @@ namespace emulsion {
 struct TextureContext {
     Scene& scene;
     SpectrumReader& spectra;
+    SceneFiles& files;
     Imath::M44d world_from_texture;
 };
 
