@@ -2,10 +2,13 @@
 
 #include <stdexcept>
 
+#include "pathtracer/surface_coordinates.h"
+
 namespace emulsion {
 
 void note_first_hits(const PreparedScene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
                      std::span<FirstHit> first_hits) noexcept {
+    const bool textured = !scene.scene().float_textures.empty() || !scene.scene().reflectance_textures.empty();
     for (std::size_t i = 0; i < hits.size(); ++i) {
         first_hits[i] = {};
         if (hits[i].shape == Hit::kNone) continue;
@@ -13,9 +16,7 @@ void note_first_hits(const PreparedScene& scene, std::span<const Ray> rays, std:
         const Imath::V3f normal = point.shading_normal;
         const bool front = rays[i].direction.dot(normal) < 0.0f;
         first_hits[i] = {hits[i].shape, hits[i].t, front ? normal : -normal, {}};
-        if (scene.materials().is_textured(scene.shape(hits[i].shape).material)) {
-            first_hits[i].on_texture = texture_point(scene, hits[i], point);
-        }
+        if (textured) first_hits[i].place = {point.position, surface_uv(scene, hits[i], point)};
     }
 }
 
@@ -36,7 +37,7 @@ template <class Add>
 void AuxLayers::for_each(const FirstHit& hit, const Add& add) const noexcept {
     if (hit.shape == Hit::kNone) return;
     if (albedo_layer_) {
-        add(*albedo_layer_, (*albedos_)(scene_.shapes[hit.shape].material, hit.on_texture));
+        add(*albedo_layer_, (*albedos_)(scene_.shapes[hit.shape].material, hit.place));
     }
     if (normal_layer_) {
         add(*normal_layer_, std::array{hit.facing_normal.x, hit.facing_normal.y, hit.facing_normal.z});

@@ -33,7 +33,7 @@ struct FirstHit {
     std::uint32_t shape = Hit::kNone;  ///< index into Scene::shapes, or Hit::kNone: nothing
     float distance = 0.0f;             ///< along the ray, in lengths of its direction
     Imath::V3f facing_normal{0.0f};    ///< unit, world space; on the side from which the ray comes
-    TexturePoint on_texture;           ///< of materials with textures only
+    TexturePoint place;                ///< if the scene has textures
 };
 
 /// The first hits of camera rays; all spans of one size.

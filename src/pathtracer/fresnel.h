@@ -1,6 +1,6 @@
 #pragma once
 // Fresnel reflectance of unpolarised light. T is float in the renderer and double in the reference twin: the float
-// results are within 2e-6 of the double ones, absolutely.
+// results are within 1e-5 of the double ones, absolutely, the worst near the critical angle.
 //
 // cos_i is the cosine between the incident direction and the normal, in [0, 1]; eta is the index of refraction of the
 // far side over that of the near side, > 0.

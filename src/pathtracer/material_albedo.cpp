@@ -55,7 +55,7 @@ class MaterialAlbedos::AlbedoOf {
         const auto* texture = std::get_if<TextureIndex>(&reflectance);
         if (texture == nullptr) return weighted_sums(albedos_.rgb_.rgb_weights, std::get<Spectrum>(reflectance));
         textured_ = true;
-        const SampledSpectrum<3> rgb = albedos_.textures_.reflectance<RgbTransport>(*texture, point_, {});
+        const SampledSpectrum<3> rgb = albedos_.textures_.reflectance(*texture, point_, RgbTransport::Index{});
         return {rgb[0], rgb[1], rgb[2]};
     }
     static std::array<double, 3> mixed(const std::array<double, 3>& a, const std::array<double, 3>& b, double of_a,

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "pathtracer/light_sampling.h"
+#include "pathtracer/surface_coordinates.h"
 #include "pathtracer/vector_math.h"
 
 namespace emulsion {
@@ -70,14 +71,12 @@ bool PathIntegrator<Transport>::scatter(PathT& path, std::uint32_t path_index, c
     if (shape.diffuse_table) [[likely]] {
         reflectance = scene_.spectra()[*shape.diffuse_table].at(path.index);
     } else {
-        const PreparedMaterials& materials = scene_.materials();
-        TexturePoint on_texture;
-        if (materials.is_textured(shape.material)) on_texture = texture_point(scene_, hit, point);
+        const TexturePoint place{point.position, surface_uv(scene_, hit, point)};
         const PreparedMaterial& material =
-            materials.at(shape.material, on_texture, [&path] { return path.samples.next_1d(); });
+            scene_.materials().at(shape.material, place, [&path] { return path.samples.next_1d(); });
         const auto* diffuse = std::get_if<PreparedDiffuse>(&material);
-        if (diffuse == nullptr) return scatter_material(path, path_index, material, point, on_texture, depth);
-        reflectance = materials.template reflectance<Transport>(diffuse->reflectance, on_texture, path.index);
+        if (diffuse == nullptr) return scatter_material(path, path_index, material, {hit, point, place}, depth);
+        reflectance = scene_.materials().reflectance(*diffuse, place, path.index);
     }
 
     // Both sides of a diffuse surface reflect, each on its own side.

@@ -59,11 +59,18 @@ class PathIntegrator {
         std::uint32_t path;
     };
 
+    /// Where the path has met a surface.
+    struct Vertex {
+        const Hit& hit;
+        const SurfacePoint& point;
+        const TexturePoint& place;
+    };
+
     void add_background(PathT& path) const noexcept;
     bool scatter(PathT& path, std::uint32_t path_index, const Hit& hit, int depth);
     void add_emission(PathT& path, const Emitter& emitter, const SurfacePoint& point, bool two_sided) const noexcept;
-    bool scatter_material(PathT& path, std::uint32_t path_index, const PreparedMaterial& material,
-                          const SurfacePoint& point, const TexturePoint& on_texture, int depth);
+    bool scatter_material(PathT& path, std::uint32_t path_index, const PreparedMaterial& material, const Vertex& vertex,
+                          int depth);
     template <class Evaluate>
     void sample_light(PathT& path, std::uint32_t path_index, const SurfacePoint& point, Evaluate&& evaluate);
     void trace_shadow_rays(std::span<PathT> paths);

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "core/units.h"
 
@@ -68,86 +67,36 @@ class Preparation {
     // Shapes of it are left out of scenes: what is left is a material that no shape has.
     PreparedMaterial operator()(const InterfaceMaterial&) { return (*this)(DiffuseMaterial{}); }
 
-    /// Whether a texture was met since the last call.
-    bool take_textured() noexcept { return std::exchange(textured_, false); }
-
   private:
     PreparedReflectance reflectance(const ReflectanceParameter& parameter) {
-        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, textured(*texture)};
-        return {spectra_.add_property(std::get<Spectrum>(parameter)), std::nullopt};
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
+        return {spectra_.add_property(std::get<Spectrum>(parameter)), -1};
     }
-    PreparedNumber number(const FloatParameter& parameter) {
-        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, textured(*texture)};
-        return {static_cast<float>(std::get<double>(parameter)), std::nullopt};
+    static PreparedNumber number(const FloatParameter& parameter) {
+        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
+        return {static_cast<float>(std::get<double>(parameter)), -1};
     }
-    TextureIndex textured(TextureIndex texture) noexcept {
-        textured_ = true;
-        return texture;
-    }
-    PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap}; }
+    static PreparedRoughness roughness(const Roughness& r) { return {number(r.u), number(r.v), r.remap, r.u != r.v}; }
 
     SpectrumTables& spectra_;
-    bool textured_ = false;
 };
-
-/// All materials, each after those that it is mixed from. Mixes refer to materials by index: each of them must come to
-/// an end.
-std::vector<std::size_t> parts_first(const std::vector<Material>& materials) {
-    std::vector<std::size_t> order;
-    enum class State : std::uint8_t { unseen, open, ends };
-    std::vector<State> states(materials.size(), State::unseen);
-    std::vector<int> stack;
-    for (int start = 0; start < static_cast<int>(materials.size()); ++start) {
-        stack.push_back(start);
-        while (!stack.empty()) {
-            const auto top = static_cast<std::size_t>(stack.back());
-            const auto* mix = std::get_if<MixMaterial>(&materials[top]);
-            if (states[top] != State::unseen || mix == nullptr) {
-                if (states[top] != State::ends) order.push_back(top);
-                states[top] = State::ends;
-                stack.pop_back();
-                continue;
-            }
-            states[top] = State::open;
-            for (const int part : {mix->first, mix->second}) {
-                const auto i = static_cast<std::size_t>(part);
-                if (i >= materials.size()) {
-                    throw std::invalid_argument("mix material " + std::to_string(top) + ": part " +
-                                                std::to_string(part) + " must be one of " +
-                                                std::to_string(materials.size()) + " materials");
-                }
-                if (states[i] == State::open) {
-                    throw std::invalid_argument("mix material " + std::to_string(i) + ": must not be part of itself");
-                }
-                if (states[i] == State::unseen) stack.push_back(part);
-            }
-        }
-    }
-    return order;
-}
 
 }  // namespace
 
-PreparedMaterials::PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra,
-                                     const PreparedTextures& textures)
-    : spectra_(spectra), textures_(textures) {
-    const std::vector<std::size_t> order = parts_first(materials);
+PreparedMaterials::PreparedMaterials(const Scene& scene, SpectrumTables& spectra)
+    : spectra_(spectra), textures_(scene.float_textures, scene.reflectance_textures, spectra) {
+    const std::vector<Material>& materials = scene.materials;
+    if (const auto mix = endless_mix(materials)) {
+        throw std::invalid_argument("mix material " + std::to_string(*mix) + ": must not be part of itself");
+    }
     Preparation prepare(spectra);
     materials_.reserve(materials.size());
-    for (const Material& material : materials) {
-        materials_.push_back(std::visit(prepare, material));
-        textured_.push_back(prepare.take_textured() ? 1 : 0);
-    }
-    for (const std::size_t i : order) {
-        if (const auto* mix = std::get_if<PreparedMix>(&materials_[i])) {
-            if (textured_[mix->first] != 0 || textured_[mix->second] != 0) textured_[i] = 1;
-        }
-    }
+    for (const Material& material : materials) materials_.push_back(std::visit(prepare, material));
 }
 
 std::optional<std::uint32_t> PreparedMaterials::constant_diffuse(std::uint32_t i) const {
     const auto* diffuse = std::get_if<PreparedDiffuse>(&materials_.at(i));
-    if (diffuse == nullptr || diffuse->reflectance.texture) return std::nullopt;
+    if (diffuse == nullptr || diffuse->reflectance.texture >= 0) return std::nullopt;
     return diffuse->reflectance.table;
 }
 
@@ -160,11 +109,10 @@ struct Facets {
     bool smooth = true;
 };
 
-Facets facets_of(const PreparedMaterials& materials, const PreparedRoughness& roughness,
-                 const TexturePoint& point) noexcept {
-    float u = std::max(0.0f, materials.number(roughness.u, point));
-    float v = std::max(0.0f, materials.number(roughness.v, point));
-    if (roughness.remap) {
+Facets facets_of(float u, float v, bool remap) noexcept {
+    u = std::max(0.0f, u);
+    v = std::max(0.0f, v);
+    if (remap) {
         u = alpha_of_roughness(u);
         v = alpha_of_roughness(v);
     }
@@ -184,9 +132,9 @@ class BsdfMaker {
     static constexpr int N = Transport::kChannels;
     static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
 
-    BsdfMaker(const SpectrumTables& spectra, const PreparedMaterials& materials, const TexturePoint& point,
+    BsdfMaker(const SpectrumTables& spectra, const PreparedTextures& textures, const TexturePoint& point,
               const typename Transport::Index& index, Channels channels, std::uint64_t seed) noexcept
-        : spectra_(spectra), materials_(materials), point_(point), index_(index), channels_(channels), seed_(seed) {}
+        : spectra_(spectra), textures_(textures), point_(point), index_(index), channels_(channels), seed_(seed) {}
 
     Bsdf<N> operator()(const PreparedConductor& m) const noexcept {
         const Facets facets = facets_at(m.roughness);
@@ -232,11 +180,13 @@ class BsdfMaker {
   private:
     SampledSpectrum<N> at(std::uint32_t table) const noexcept { return spectra_[table].at(index_); }
     SampledSpectrum<N> at(const PreparedReflectance& reflectance) const noexcept {
-        return materials_.template reflectance<Transport>(reflectance, point_, index_);
+        if (reflectance.texture < 0) return at(reflectance.table);
+        return textures_.reflectance({reflectance.texture}, point_, index_);
     }
-    Facets facets_at(const PreparedRoughness& roughness) const noexcept {
-        return facets_of(materials_, roughness, point_);
+    float at(const PreparedNumber& number) const noexcept {
+        return number.texture < 0 ? number.constant : textures_.number({number.texture}, point_);
     }
+    Facets facets_at(const PreparedRoughness& r) const noexcept { return facets_of(at(r.u), at(r.v), r.remap); }
     SampledSpectrum<N> scaled(const PreparedReflectance& reflectance, float scale) const noexcept {
         SampledSpectrum<N> values = at(reflectance) * scale;
         for (float& value : values.value) value = std::clamp(value, 0.0f, 1.0f);
@@ -249,7 +199,7 @@ class BsdfMaker {
     }
 
     const SpectrumTables& spectra_;
-    const PreparedMaterials& materials_;
+    const PreparedTextures& textures_;
     const TexturePoint& point_;
     const typename Transport::Index& index_;
     Channels channels_;
@@ -262,13 +212,33 @@ template <class Transport>
 Bsdf<Transport::kChannels> PreparedMaterials::bsdf(const PreparedMaterial& material, const TexturePoint& point,
                                                    const typename Transport::Index& index, Channels channels,
                                                    std::uint64_t seed) const noexcept {
-    return visit_noexcept(BsdfMaker<Transport>(spectra_, *this, point, index, channels, seed), material);
+    return visit_noexcept(BsdfMaker<Transport>(spectra_, textures_, point, index, channels, seed), material);
 }
 
 bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept {
     if (const auto* coated = std::get_if<PreparedCoatedDiffuse>(&material)) return coated->disperses;
     const auto* dielectric = std::get_if<PreparedDielectric>(&material);
-    return dielectric != nullptr && dielectric->disperses && !facets_of(*this, dielectric->roughness, point).smooth;
+    if (dielectric == nullptr || !dielectric->disperses) return false;
+    const PreparedRoughness& r = dielectric->roughness;
+    return !facets_of(number(r.u, point), number(r.v, point), r.remap).smooth;
+}
+
+namespace {
+
+const PreparedRoughness* roughness_of(const PreparedMaterial& material) noexcept {
+    return visit_noexcept(
+        [](const auto& m) -> const PreparedRoughness* {
+            if constexpr (requires { m.roughness; }) return &m.roughness;
+            return nullptr;
+        },
+        material);
+}
+
+}  // namespace
+
+bool PreparedMaterials::is_anisotropic(const PreparedMaterial& material) const noexcept {
+    const PreparedRoughness* roughness = roughness_of(material);
+    return roughness != nullptr && roughness->anisotropic;
 }
 
 #define EMULSION_INSTANTIATE(TRANSPORT)                                                                 \

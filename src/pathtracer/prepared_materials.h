@@ -8,24 +8,25 @@
 
 #include "pathtracer/bsdf_variant.h"
 #include "pathtracer/prepared_textures.h"
-#include "pathtracer/scene_material.h"
+#include "pathtracer/scene.h"
 #include "pathtracer/spectrum_tables.h"
 #include "pathtracer/transport.h"
 
 namespace emulsion {
 
-/// A table of the scene's, or a texture.
+/// A table of the scene's spectra, or the texture.
 struct PreparedReflectance {
     std::uint32_t table = 0;
-    std::optional<TextureIndex> texture = {};
+    std::int32_t texture = -1;  ///< none
 };
 struct PreparedNumber {
     float constant = 0.0f;
-    std::optional<TextureIndex> texture = {};
+    std::int32_t texture = -1;  ///< none
 };
 struct PreparedRoughness {
     PreparedNumber u, v;
     bool remap = true;
+    bool anisotropic = false;  ///< u and v may differ
 };
 
 struct PreparedDiffuse {
@@ -67,10 +68,9 @@ using PreparedMaterial = std::variant<PreparedDiffuse, PreparedConductor, Prepar
 
 class PreparedMaterials {
   public:
-    /// Adds the materials' spectra to `spectra`, and keeps references to it and to the textures.
+    /// Adds the spectra of materials and textures to `spectra`, and keeps a reference to it.
     /// \throws std::invalid_argument naming what is out of range; for a mix that contains itself.
-    PreparedMaterials(const std::vector<Material>& materials, SpectrumTables& spectra,
-                      const PreparedTextures& textures);
+    PreparedMaterials(const Scene& scene, SpectrumTables& spectra);
 
     [[nodiscard]] const PreparedMaterial& operator[](std::uint32_t i) const noexcept { return materials_[i]; }
 
@@ -78,12 +78,8 @@ class PreparedMaterials {
     /// \throws std::out_of_range if there is no such material.
     [[nodiscard]] std::optional<std::uint32_t> constant_diffuse(std::uint32_t i) const;
 
-    /// Whether the material, or one that it is mixed from, has a texture: only then the functions below look at the
-    /// point that they are given.
-    [[nodiscard]] bool is_textured(std::uint32_t i) const noexcept { return textured_[i] != 0; }
-
-    /// The material that a surface of material `i` shows at a point, through mixes: drawn by `next_u`, uniform in [0,
-    /// 1).
+    /// The material that a surface of material `i` shows at a point, through mixes: drawn by `next_u`, uniform in
+    /// [0, 1). pbrt-v4 makes the numbers of the point itself, and so has the same mean.
     template <class Source>
     [[nodiscard]] const PreparedMaterial& at(std::uint32_t i, const TexturePoint& point,
                                              Source&& next_u) const noexcept {
@@ -94,15 +90,13 @@ class PreparedMaterials {
         return *material;
     }
 
-    [[nodiscard]] float number(const PreparedNumber& number, const TexturePoint& point) const noexcept {
-        return number.texture ? textures_.number(*number.texture, point) : number.constant;
-    }
-    template <class Transport>
-    [[nodiscard]] SampledSpectrum<Transport::kChannels> reflectance(
-        const PreparedReflectance& reflectance, const TexturePoint& point,
-        const typename Transport::Index& index) const noexcept {
-        if (reflectance.texture) return textures_.reflectance<Transport>(*reflectance.texture, point, index);
-        return spectra_[reflectance.table].at(index);
+    /// Of a diffuse material.
+    template <class Index>
+    [[nodiscard]] ValuesAt<Index> reflectance(const PreparedDiffuse& diffuse, const TexturePoint& point,
+                                              const Index& index) const noexcept {
+        const auto& [table, texture] = diffuse.reflectance;
+        return texture < 0 ? ValuesAt<Index>(spectra_[table].at(index))
+                           : textures_.reflectance({texture}, point, index);
     }
 
     /// How a material that is neither diffuse nor a mix scatters, for the path's channels. `seed` decides what a rough
@@ -114,16 +108,21 @@ class PreparedMaterials {
 
     /// Whether bsdf() of this material holds for the first channel alone, whatever direction is drawn.
     [[nodiscard]] bool needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept;
+    /// Whether its tangents matter.
+    [[nodiscard]] bool is_anisotropic(const PreparedMaterial& material) const noexcept;
     /// Whether it uses the seed.
     [[nodiscard]] bool is_estimated(const PreparedMaterial& material) const noexcept {
         return std::holds_alternative<PreparedCoatedDiffuse>(material);
     }
 
   private:
+    [[nodiscard]] float number(const PreparedNumber& number, const TexturePoint& point) const noexcept {
+        return number.texture < 0 ? number.constant : textures_.number({number.texture}, point);
+    }
+
     const SpectrumTables& spectra_;
-    const PreparedTextures& textures_;
+    PreparedTextures textures_;
     std::vector<PreparedMaterial> materials_;
-    std::vector<std::uint8_t> textured_;  // of each material: 1 or 0
 };
 
 }  // namespace emulsion

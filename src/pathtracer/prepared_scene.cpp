@@ -7,8 +7,7 @@ namespace emulsion {
 
 PreparedScene::PreparedScene(Scene scene, int threads)
     : scene_(std::move(scene)), accelerator_(std::make_unique<Accelerator>(scene_.shapes, threads)) {
-    textures_ = std::make_unique<PreparedTextures>(scene_.float_textures, scene_.reflectance_textures, spectra_);
-    materials_ = std::make_unique<PreparedMaterials>(scene_.materials, spectra_, *textures_);
+    materials_ = std::make_unique<PreparedMaterials>(scene_, spectra_);
 
     LightPowers powers;
     shapes_.reserve(scene_.shapes.size());

@@ -10,7 +10,6 @@
 #include "pathtracer/emitters.h"
 #include "pathtracer/light_powers.h"
 #include "pathtracer/prepared_materials.h"
-#include "pathtracer/prepared_textures.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/sphere.h"
 #include "pathtracer/surface.h"
@@ -38,7 +37,6 @@ class PreparedScene {
     [[nodiscard]] Accelerator& accelerator() noexcept { return *accelerator_; }
     [[nodiscard]] const Accelerator& accelerator() const noexcept { return *accelerator_; }
     [[nodiscard]] const PreparedShape& shape(std::uint32_t i) const noexcept { return shapes_[i]; }
-    [[nodiscard]] const PreparedTextures& textures() const noexcept { return *textures_; }
     [[nodiscard]] const PreparedMaterials& materials() const noexcept { return *materials_; }
     [[nodiscard]] const SpectrumTables& spectra() const noexcept { return spectra_; }
     [[nodiscard]] const std::vector<Emitter>& emitters() const noexcept { return emitters_; }
@@ -53,7 +51,6 @@ class PreparedScene {
     Scene scene_;
     std::unique_ptr<Accelerator> accelerator_;
     SpectrumTables spectra_;
-    std::unique_ptr<PreparedTextures> textures_;
     std::unique_ptr<PreparedMaterials> materials_;
     std::vector<PreparedShape> shapes_;
     std::vector<Emitter> emitters_;

@@ -35,17 +35,22 @@ RGB colour_of(const ImageTexture<RGB>& texture, const TexturePoint& point) noexc
 }
 
 template <int N>
-SampledSpectrum<N> spectrum_of(const SigmoidTable& sigmoids, const RGB& rgb,
-                               const SpectrumTableIndex<N>& index) noexcept {
+std::array<float, N> wavelengths_of(const SpectrumTableIndex<N>& index) noexcept {
     std::array<float, N> lambda_nm{};
     for (std::size_t i = 0; i < N; ++i) {
         lambda_nm[i] = static_cast<float>(kMinWavelength_nm + index.cell[i]) + index.fraction[i];
     }
-    return eval<N>(sigmoids.reflectance(rgb), lambda_nm);
+    return lambda_nm;
 }
-SampledSpectrum<3> spectrum_of(const SigmoidTable&, const RGB& rgb, const RgbTransport::Index&) noexcept {
+
+template <int N>
+SampledSpectrum<N> values_of(const SigmoidTable& sigmoids, const RGB& colour,
+                             const SpectrumTableIndex<N>& index) noexcept {
+    return eval<N>(sigmoids.reflectance(colour), wavelengths_of(index));
+}
+SampledSpectrum<3> values_of(const SigmoidTable&, const RGB& colour, const RgbTransport::Index&) noexcept {
     SampledSpectrum<3> values;
-    values.value = {std::clamp(rgb.r, 0.0f, 1.0f), std::clamp(rgb.g, 0.0f, 1.0f), std::clamp(rgb.b, 0.0f, 1.0f)};
+    values.value = {colour.r, colour.g, colour.b};
     return values;
 }
 
@@ -53,51 +58,49 @@ SampledSpectrum<3> spectrum_of(const SigmoidTable&, const RGB& rgb, const RgbTra
 
 // --- Preparation
 
-class PreparedTextures::Preparation {
-  public:
-    explicit Preparation(SpectrumTables& spectra) : spectra_(spectra) {}
-
-    template <class NodeType, class Texture>
-    NodeType node(const Texture& texture) {
-        const auto prepare = [this](const auto& given) -> NodeType {
-            if constexpr (requires { given.image; }) {
-                return given;
-            } else if constexpr (requires { given.scale; }) {
-                return Scale<decltype(operand(given.texture))>{operand(given.texture), operand(given.scale)};
-            } else if constexpr (requires { given.amount; }) {
-                return Mix<decltype(operand(given.first))>{operand(given.first), operand(given.second),
-                                                           operand(given.amount)};
-            } else {
-                return Checkerboard<decltype(operand(given.first))>{operand(given.first), operand(given.second),
-                                                                    given.mapping};
-            }
-        };
-        return std::visit(prepare, texture);
-    }
-
-  private:
-    static NumberOperand operand(const FloatParameter& parameter) {
-        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
-        return {static_cast<float>(std::get<double>(parameter)), -1};
-    }
-    ReflectanceOperand operand(const ReflectanceParameter& parameter) {
-        if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
-        return {spectra_.add_property(std::get<Spectrum>(parameter)), -1};
-    }
-
-    SpectrumTables& spectra_;
-};
-
 PreparedTextures::PreparedTextures(std::span<const FloatTexture> numbers,
                                    std::span<const ReflectanceTexture> reflectances, SpectrumTables& spectra)
     : spectra_(spectra) {
-    Preparation prepare(spectra);
-    for (const FloatTexture& texture : numbers) numbers_.push_back(prepare.node<Node<NumberOperand, float>>(texture));
+    for (const FloatTexture& texture : numbers) {
+        numbers_.push_back(prepared_node<Node<NumberOperand, float>>(texture, spectra));
+    }
     for (const ReflectanceTexture& texture : reflectances) {
-        reflectances_.push_back(prepare.node<Node<ReflectanceOperand, RGB>>(texture));
+        reflectances_.push_back(prepared_node<Node<ReflectanceOperand, RGB>>(texture, spectra));
         const bool image = std::holds_alternative<ImageTexture<RGB>>(texture);
         if (image && !sigmoids_) sigmoids_.emplace(rgb_space("sRGB"));
     }
+}
+
+PreparedTextures::NumberOperand PreparedTextures::prepared(const FloatParameter& parameter, SpectrumTables&) {
+    if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
+    return {static_cast<float>(std::get<double>(parameter)), -1};
+}
+
+PreparedTextures::ReflectanceOperand PreparedTextures::prepared(const ReflectanceParameter& parameter,
+                                                                SpectrumTables& spectra) {
+    if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
+    return {spectra.add_property(std::get<Spectrum>(parameter)), -1};
+}
+
+template <class NodeType, class Texture>
+NodeType PreparedTextures::prepared_node(const Texture& texture, SpectrumTables& spectra) {
+    const auto prepare = [&spectra](const auto& given) -> NodeType {
+        if constexpr (requires { given.image; }) {
+            return given;
+        } else if constexpr (requires { given.scale; }) {
+            return Scale<decltype(prepared(given.texture, spectra))>{prepared(given.texture, spectra),
+                                                                     prepared(given.scale, spectra)};
+        } else if constexpr (requires { given.amount; }) {
+            return Mix<decltype(prepared(given.first, spectra))>{
+                prepared(given.first, spectra), prepared(given.second, spectra), prepared(given.amount, spectra)};
+        } else {
+            static_assert(
+                requires { given.mapping; }, "a kind of texture that is not prepared");
+            return Checkerboard<decltype(prepared(given.first, spectra))>{
+                prepared(given.first, spectra), prepared(given.second, spectra), given.mapping};
+        }
+    };
+    return std::visit(prepare, texture);
 }
 
 // --- Lookup
@@ -122,38 +125,36 @@ float PreparedTextures::value(const NumberOperand& operand, const TexturePoint& 
     return operand.texture < 0 ? operand.constant : number({operand.texture}, point);
 }
 
-template <class Transport>
-SampledSpectrum<Transport::kChannels> PreparedTextures::value(const ReflectanceOperand& operand,
-                                                              const TexturePoint& point,
-                                                              const typename Transport::Index& index) const noexcept {
+template <class Index>
+ValuesAt<Index> PreparedTextures::value(const ReflectanceOperand& operand, const TexturePoint& point,
+                                        const Index& index) const noexcept {
     if (operand.texture < 0) return spectra_[operand.table].at(index);
-    const auto evaluate = [&](const auto& node) noexcept -> SampledSpectrum<Transport::kChannels> {
+    const auto evaluate = [&](const auto& node) noexcept -> ValuesAt<Index> {
         if constexpr (requires { node.image; }) {
-            return spectrum_of(*sigmoids_, colour_of(node, point), index);
+            return values_of(*sigmoids_, colour_of(node, point), index);
         } else if constexpr (requires { node.scale; }) {
-            return value<Transport>(node.texture, point, index) * value(node.scale, point);
+            return value(node.texture, point, index) * value(node.scale, point);
         } else if constexpr (requires { node.amount; }) {
             const float amount = value(node.amount, point);
-            return value<Transport>(node.first, point, index) * (1.0f - amount) +
-                   value<Transport>(node.second, point, index) * amount;
+            return (1.0f - amount) * value(node.first, point, index) + amount * value(node.second, point, index);
         } else {
-            return value<Transport>(on_first_field(node.mapping, point) ? node.first : node.second, point, index);
+            return value(on_first_field(node.mapping, point) ? node.first : node.second, point, index);
         }
     };
     return visit_noexcept(evaluate, reflectances_[static_cast<std::size_t>(operand.texture)]);
 }
 
-template <class Transport>
-SampledSpectrum<Transport::kChannels> PreparedTextures::reflectance(
-    TextureIndex texture, const TexturePoint& point, const typename Transport::Index& index) const noexcept {
-    auto result = value<Transport>(ReflectanceOperand{0, texture.index}, point, index);
+template <class Index>
+ValuesAt<Index> PreparedTextures::reflectance(TextureIndex texture, const TexturePoint& point,
+                                              const Index& index) const noexcept {
+    ValuesAt<Index> result = value(ReflectanceOperand{0, texture.index}, point, index);
     for (float& r : result.value) r = r > 0.0f ? std::min(r, 1.0f) : 0.0f;
     return result;
 }
 
-#define EMULSION_INSTANTIATE(TRANSPORT)                                                      \
-    template SampledSpectrum<TRANSPORT::kChannels> PreparedTextures::reflectance<TRANSPORT>( \
-        TextureIndex, const TexturePoint&, const TRANSPORT::Index&) const noexcept;
+#define EMULSION_INSTANTIATE(TRANSPORT)                                                                  \
+    template ValuesAt<TRANSPORT::Index> PreparedTextures::reflectance(TextureIndex, const TexturePoint&, \
+                                                                      const TRANSPORT::Index&) const noexcept;
 EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

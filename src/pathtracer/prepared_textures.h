@@ -11,6 +11,7 @@
 #include "pathtracer/spectrum_tables.h"
 #include "pathtracer/texture_point.h"
 #include "pathtracer/transport.h"
+#include "spectrum/sampled_spectrum.h"
 #include "spectrum/sigmoid_table.h"
 
 namespace emulsion {
@@ -20,20 +21,19 @@ namespace emulsion {
 /// (scene_textures.h).
 class PreparedTextures {
   public:
-    /// Adds the textures' constant spectra to `spectra`, and keeps a reference to it. Images are shared with the lists;
-    /// the lists themselves are not kept.
-    /// \throws std::invalid_argument naming what is out of range.
+    /// Images are shared with the lists; the lists themselves are not kept. Adds the constants' spectra to `spectra`,
+    /// and keeps a reference to it.
     PreparedTextures(std::span<const FloatTexture> numbers, std::span<const ReflectanceTexture> reflectances,
                      SpectrumTables& spectra);
 
     /// The value of Scene::float_textures[texture] at a point.
     [[nodiscard]] float number(TextureIndex texture, const TexturePoint& point) const noexcept;
 
-    /// The value of Scene::reflectance_textures[texture] at a point, for the path's channels; clamped to [0, 1], as
-    /// scales above 1 may lead out of it.
-    template <class Transport>
-    [[nodiscard]] SampledSpectrum<Transport::kChannels> reflectance(
-        TextureIndex texture, const TexturePoint& point, const typename Transport::Index& index) const noexcept;
+    /// The value of Scene::reflectance_textures[texture] at a point, for the channels of a transport's index, clamped
+    /// to [0, 1]: scales above 1 may lead out of it.
+    template <class Index>
+    [[nodiscard]] ValuesAt<Index> reflectance(TextureIndex texture, const TexturePoint& point,
+                                              const Index& index) const noexcept;
 
   private:
     // An operand is a constant if it has no texture.
@@ -63,13 +63,15 @@ class PreparedTextures {
     template <class Operand, class Texel>
     using Node = std::variant<Scale<Operand>, Mix<Operand>, Checkerboard<Operand>, ImageTexture<Texel>>;
 
-    class Preparation;
+    [[nodiscard]] static NumberOperand prepared(const FloatParameter& parameter, SpectrumTables& spectra);
+    [[nodiscard]] static ReflectanceOperand prepared(const ReflectanceParameter& parameter, SpectrumTables& spectra);
+    template <class NodeType, class Texture>
+    [[nodiscard]] static NodeType prepared_node(const Texture& texture, SpectrumTables& spectra);
 
     [[nodiscard]] float value(const NumberOperand& operand, const TexturePoint& point) const noexcept;
-    template <class Transport>
-    [[nodiscard]] SampledSpectrum<Transport::kChannels> value(const ReflectanceOperand& operand,
-                                                              const TexturePoint& point,
-                                                              const typename Transport::Index& index) const noexcept;
+    template <class Index>
+    [[nodiscard]] ValuesAt<Index> value(const ReflectanceOperand& operand, const TexturePoint& point,
+                                        const Index& index) const noexcept;
 
     std::vector<Node<NumberOperand, float>> numbers_;
     std::vector<Node<ReflectanceOperand, RGB>> reflectances_;

@@ -78,10 +78,13 @@ class SceneBuilder {
     };
 
     void note_option(const SourcePlace& place, const std::string& directive);
-    [[nodiscard]] DiffuseMaterial read_material(const ParameterList& list);
+    [[nodiscard]] Material read_material(const ParameterList& list);
     [[nodiscard]] int add_material(Material material);
     [[nodiscard]] NamedMaterial& named_slot(const std::string& name);
     void check_named_materials() const;
+    void check_mixes() const;
+    /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void warn(const SourcePlace& place, const std::string& what);
 
     Scene scene_;

@@ -29,6 +29,7 @@ constexpr auto kKinds = std::to_array<KindRow>({
     {ValueKind::vector3, 3, "vector3"},
     {ValueKind::normal, 3, "normal"},
     {ValueKind::spectrum, 1, "rgb, blackbody or spectrum"},
+    {ValueKind::real_or_spectrum, 1, "float, rgb, blackbody or spectrum"},
     {ValueKind::real_or_texture, 1, "float or texture"},
     {ValueKind::spectrum_or_texture, 1, "rgb, blackbody, spectrum or texture"},
 });
@@ -55,6 +56,8 @@ bool fits(DeclaredType type, ValueKind kind) noexcept {
             return type == D::integer || type == D::real;
         case ValueKind::spectrum:
             return type == D::rgb || type == D::blackbody || type == D::spectrum;
+        case ValueKind::real_or_spectrum:
+            return fits(type, ValueKind::real) || fits(type, ValueKind::spectrum);
         case ValueKind::real_or_texture:
             return type == D::texture || fits(type, ValueKind::real);
         case ValueKind::spectrum_or_texture:
@@ -77,8 +80,7 @@ void check_type(const SceneParameter& parameter, const ParameterSpec& spec, cons
 
 /// Spectra have sizes of their own (scene_spectra.h).
 void check_count(const SceneParameter& parameter, const ParameterSpec& spec, const std::string& of) {
-    const bool of_spectra = spec.kind == ValueKind::spectrum || spec.kind == ValueKind::spectrum_or_texture;
-    if (of_spectra && parameter.type != DeclaredType::texture) return;
+    if (spec.count == 1 && fits(parameter.type, ValueKind::spectrum)) return;
     const std::size_t components = row_of(spec.kind).components;
     const std::size_t count = parameter.numbers.size() + parameter.strings.size();
     const std::size_t wanted = components * spec.count;

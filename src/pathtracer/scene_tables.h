@@ -24,6 +24,7 @@ enum class ValueKind {
     vector3,
     normal,
     spectrum,
+    real_or_spectrum,
     real_or_texture,
     spectrum_or_texture
 };

@@ -24,6 +24,15 @@ struct RgbTransport {
     struct Index {};
 };
 
+/// The channels of an index.
+template <int N>
+[[nodiscard]] constexpr int channels_of(const SpectrumTableIndex<N>&) noexcept {
+    return N;
+}
+[[nodiscard]] constexpr int channels_of(const RgbTransport::Index&) noexcept { return RgbTransport::kChannels; }
+template <class Index>
+using ValuesAt = SampledSpectrum<channels_of(Index{})>;
+
 /// A spectrum in the form of every transport.
 class PreparedSpectrum {
   public:

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "pathtracer/path_integrator.h"
@@ -42,6 +43,13 @@ inline TriangleMesh inward_box() {
     quad(0, 2, 6, 4);  // x = -1
     quad(1, 5, 7, 3);  // x = +1
     return mesh;
+}
+
+/// Form factor of a rectangle a x b, parallel at height 1 over the point below one of its corners, from that point.
+/// Source: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-4.
+inline double corner_form_factor(double a, double b) {
+    const double x = std::sqrt(1.0 + a * a), y = std::sqrt(1.0 + b * b);
+    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2.0 * std::numbers::pi);
 }
 
 /// Mean and standard error of the radiance along a ray, wavelength by wavelength.

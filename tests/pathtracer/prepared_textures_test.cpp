@@ -38,7 +38,7 @@ SampledSpectrum<Transport::kChannels> reflectance(const std::vector<ReflectanceT
                                                   const std::vector<FloatTexture>& numbers = {}) {
     SpectrumTables spectra;
     const PreparedTextures prepared(numbers, textures, spectra);
-    return prepared.reflectance<Transport>({static_cast<int>(textures.size()) - 1}, point, index);
+    return prepared.reflectance({static_cast<int>(textures.size()) - 1}, point, index);
 }
 SampledSpectrum<4> reflectance(const std::vector<ReflectanceTexture>& textures, const TexturePoint& point,
                                const std::vector<FloatTexture>& numbers = {}) {

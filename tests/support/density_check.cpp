@@ -156,14 +156,14 @@ DensityCheckResult check_point_density(const PointSampler& sampler, const PointD
         observed[bin_of(edges, (*point)[0]) * v_bins + std::min(v, v_bins - 1)] += 1.0;
     }
 
-    // What should be in them: each part exact to a tenth of a count.
+    // What should be in them: each part exact to a fiftieth of a count.
     std::vector<double> expected(bins);
     DensityCheckResult result;
     for (std::size_t bin = 0; bin < bins; ++bin) {
         const std::size_t u = bin / v_bins;
         const double v = static_cast<double>(bin % v_bins);
         const Cell cell = {edges[u], edges[u + 1], v / options.v_bins, (v + 1.0) / options.v_bins};
-        expected[bin] = integral_over_bin(density, cell, 0.1 / options.draws);
+        expected[bin] = integral_over_bin(density, cell, 0.02 / options.draws);
         result.integral += expected[bin];
     }
     // How many yield something, and where those are: two tests, of which the worse counts twice.
