@@ -64,7 +64,7 @@ void PathIntegrator<N>::add_background(Path<N>& path) const noexcept {
 template <int N>
 bool PathIntegrator<N>::scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth) {
     const auto& shape = scene_.shape(hit.shape);
-    const SurfacePoint point = surface_point(shape, path.ray, hit);
+    const SurfacePoint point = surface_point(scene_, path.ray, hit);
     if (shape.first_emitter) {
         add_emission(path, scene_.emitters()[*shape.first_emitter + hit.primitive], point, shape.two_sided);
     }

@@ -9,8 +9,8 @@
 #include "pathtracer/accelerator.h"
 #include "pathtracer/emitters.h"
 #include "pathtracer/light_powers.h"
+#include "pathtracer/prepared_instance.h"
 #include "pathtracer/scene.h"
-#include "pathtracer/sphere.h"
 #include "pathtracer/surface.h"
 #include "spectrum/spectrum_table.h"
 
@@ -25,10 +25,11 @@ class PreparedScene {
 
     /// What shading needs to know of one shape of the scene.
     struct PreparedShape {
-        const TriangleMesh* mesh = nullptr;  ///< or a sphere:
-        std::unique_ptr<PreparedSphere> sphere;
+        const TriangleMesh* mesh = nullptr;          ///< or
+        const BilinearMesh* patches = nullptr;       ///< or
+        std::unique_ptr<PreparedQuadric> quadric;    ///< one of the three
         std::uint32_t reflectance = 0;               ///< table
-        std::optional<std::uint32_t> first_emitter;  ///< that of triangle i is this + i
+        std::optional<std::uint32_t> first_emitter;  ///< that of triangle or patch i is this + i
         bool two_sided = false;
     };
 
@@ -36,6 +37,7 @@ class PreparedScene {
     [[nodiscard]] Accelerator& accelerator() noexcept { return *accelerator_; }
     [[nodiscard]] const Accelerator& accelerator() const noexcept { return *accelerator_; }
     [[nodiscard]] const PreparedShape& shape(std::uint32_t i) const noexcept { return shapes_[i]; }
+    [[nodiscard]] const PreparedInstance& instance(std::uint32_t i) const noexcept { return instances_[i]; }
     [[nodiscard]] const SpectrumTable& spectrum(std::uint32_t i) const noexcept { return spectra_[i]; }
     [[nodiscard]] const std::vector<Emitter>& emitters() const noexcept { return emitters_; }
     [[nodiscard]] const EmitterPicker& picker() const noexcept { return picker_; }
@@ -45,6 +47,7 @@ class PreparedScene {
   private:
     std::uint32_t add_spectrum(const Spectrum& spectrum, double scale);
     void add_shape(const Shape& shape, LightPowers& powers);
+    void add_area_light(const AreaLight& light, PreparedShape& shape, LightPowers& powers);
     void add_light(const Light& light, LightPowers& powers);
 
     Scene scene_;
@@ -52,18 +55,22 @@ class PreparedScene {
     std::vector<SpectrumTable> spectra_;
     std::vector<std::uint32_t> material_reflectance_;
     std::vector<PreparedShape> shapes_;
+    std::vector<PreparedInstance> instances_;
     std::vector<Emitter> emitters_;
     std::vector<std::uint32_t> infinite_emitters_;
     EmitterPicker picker_;
 };
 
+/// Where a ray has met anything but a triangle that belongs to no object.
+[[nodiscard]] SurfacePoint surface_point_elsewhere(const PreparedScene& scene, const Ray& ray, const Hit& hit) noexcept;
+
 /// Where a ray has met a shape of the scene. Inlined by force: the integrator is compiled for so many numbers of
 /// wavelengths that the compiler's budget for the file runs out before it.
-[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene::PreparedShape& shape,
-                                                                    const Ray& ray, const Hit& hit) noexcept {
-    if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
-    const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
-    return surface_point(*shape.sphere, point_at(*shape.sphere, along));
+[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene& scene, const Ray& ray,
+                                                                    const Hit& hit) noexcept {
+    const TriangleMesh* const mesh = scene.shape(hit.shape).mesh;
+    if (mesh == nullptr || hit.instance != Hit::kNone) return surface_point_elsewhere(scene, ray, hit);
+    return surface_point(*mesh, TriangleGeometry(*mesh, hit.primitive), hit);
 }
 
 }  // namespace emulsion
