@@ -21,10 +21,13 @@ function(emulsion_program)
 endfunction()
 
 # One test program per room: test_film of tests/film/*.cpp, its cases found by ctest. Those of suites "Long/..." get the
-# label "long", without which scripts/test leaves them out.
+# label "long", without which scripts/test leaves them out. PATTERN: which of the files; default: *.cpp.
 function(emulsion_test_room name)
-  cmake_parse_arguments(room "" "" "LINKS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
+  cmake_parse_arguments(room "" "PATTERN" "LINKS" ${ARGN})
+  if(NOT room_PATTERN)
+    set(room_PATTERN *.cpp)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/${room_PATTERN})
   if(NOT sources)
     return()
   endif()

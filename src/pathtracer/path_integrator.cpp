@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "pathtracer/light_sampling.h"
+#include "pathtracer/surface_coordinates.h"
 #include "pathtracer/vector_math.h"
 
 namespace emulsion {
@@ -13,16 +15,10 @@ namespace {
 
 constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 
-/// Scattering events that every path is granted before Russian roulette may end it.
-constexpr int kFirstRouletteDepth = 2;
-
-/// Shadow rays stop short of the light by this share of the distance, beside the offsets at both ends.
-constexpr float kShadowRayEnd = 1.0f - 1e-5f;
-
 }  // namespace
 
-template <int N>
-void PathIntegrator<N>::trace(std::span<Path<N>> paths, std::span<FirstHit> first_hits) {
+template <class Transport>
+void PathIntegrator<Transport>::trace(std::span<PathT> paths, std::span<FirstHit> first_hits) {
     active_.resize(paths.size());
     std::iota(active_.begin(), active_.end(), 0u);
     for (int depth = 0; !active_.empty(); ++depth) {
@@ -47,55 +43,64 @@ void PathIntegrator<N>::trace(std::span<Path<N>> paths, std::span<FirstHit> firs
     }
 }
 
-template <int N>
-void PathIntegrator<N>::add_background(Path<N>& path) const noexcept {
+template <class Transport>
+void PathIntegrator<Transport>::add_background(PathT& path) const noexcept {
     for (const std::uint32_t i : scene_.infinite_emitters()) {
         const Emitter& emitter = scene_.emitters()[i];
         float weight = 1.0f;
         if (path.direction_pdf > 0.0f) {
             weight = power_heuristic(path.direction_pdf, emitter.selection_probability * kInfiniteEmitterPdf);
         }
-        path.radiance += path.throughput * scene_.spectrum(emitter.spectrum).at(path.index) * weight;
+        path.radiance += path.throughput * scene_.spectra()[emitter.spectrum].at(path.index) * weight;
     }
 }
 
 /// Adds the light that the path has met, sends a shadow ray, and draws the next direction.
 /// Returns whether the path goes on.
-template <int N>
-bool PathIntegrator<N>::scatter(Path<N>& path, std::uint32_t path_index, const Hit& hit, int depth) {
+template <class Transport>
+bool PathIntegrator<Transport>::scatter(PathT& path, std::uint32_t path_index, const Hit& hit, int depth) {
     const auto& shape = scene_.shape(hit.shape);
     const SurfacePoint point = surface_point(scene_, path.ray, hit);
     if (shape.first_emitter) {
         add_emission(path, scene_.emitters()[*shape.first_emitter + hit.primitive], point, shape.two_sided);
     }
     if (depth == max_depth_) return false;
+    path.last_vertex = point.position;
+
+    Values reflectance;
+    if (shape.diffuse_table) [[likely]] {
+        reflectance = scene_.spectra()[*shape.diffuse_table].at(path.index);
+    } else {
+        const TexturePoint place{point.position, surface_uv(scene_, hit, point)};
+        const PreparedMaterial& material =
+            scene_.materials().at(shape.material, place, [&path] { return path.samples.next_1d(); });
+        const auto* diffuse = std::get_if<PreparedDiffuse>(&material);
+        if (diffuse == nullptr) return scatter_material(path, path_index, material, {hit, point, place}, depth);
+        reflectance = scene_.materials().reflectance(*diffuse, place, path.index);
+    }
 
     // Both sides of a diffuse surface reflect, each on its own side.
-    const SampledSpectrum<N> reflectance = scene_.spectrum(shape.reflectance).at(path.index);
     const bool front = path.ray.direction.dot(point.shading_normal) < 0.0f;
     const Imath::V3f facing_normal = front ? point.shading_normal : -point.shading_normal;
-    path.last_vertex = point.position;
-    sample_light(path, path_index, point, reflectance, facing_normal);
+    sample_light(path, path_index, point, [&](const Imath::V3f& wi) -> BsdfValue<Transport::kChannels> {
+        const float pdf = std::max(wi.dot(facing_normal), 0.0f) * kInvPi;
+        return {reflectance * pdf, pdf};
+    });
 
     // The cosine in the density cancels that of the reflected radiance: what is left is the reflectance.
     const Imath::V3f local = cosine_hemisphere(path.samples.next_2d());
     const Imath::V3f direction = Frame(facing_normal).to_world(local);
     path.throughput *= reflectance;
-    float largest = path.throughput.max();
-    if (!(local.z > 0.0f) || !(largest > 0.0f)) return false;
+    if (!(local.z > 0.0f)) return false;
     path.direction_pdf = local.z * kInvPi;
     path.ray.origin = point.origin_towards(direction);
     path.ray.direction = direction;
-
-    if (depth + 1 < kFirstRouletteDepth || largest >= 1.0f) return true;
-    if (path.samples.next_1d() >= largest) return false;
-    path.throughput *= 1.0f / largest;
-    return true;
+    return survives_roulette(path, depth);
 }
 
-template <int N>
-void PathIntegrator<N>::add_emission(Path<N>& path, const Emitter& emitter, const SurfacePoint& point,
-                                     bool two_sided) const noexcept {
+template <class Transport>
+void PathIntegrator<Transport>::add_emission(PathT& path, const Emitter& emitter, const SurfacePoint& point,
+                                             bool two_sided) const noexcept {
     if (!two_sided && path.ray.direction.dot(point.geometric_normal) >= 0.0f) return;
     float weight = 1.0f;
     if (path.direction_pdf > 0.0f) {
@@ -103,37 +108,11 @@ void PathIntegrator<N>::add_emission(Path<N>& path, const Emitter& emitter, cons
                                         point.geometric_normal);
         weight = power_heuristic(path.direction_pdf, emitter.selection_probability * pdf);
     }
-    path.radiance += path.throughput * scene_.spectrum(emitter.spectrum).at(path.index) * (weight * emitter.scale);
+    path.radiance += path.throughput * scene_.spectra()[emitter.spectrum].at(path.index) * (weight * emitter.scale);
 }
 
-template <int N>
-void PathIntegrator<N>::sample_light(Path<N>& path, std::uint32_t path_index, const SurfacePoint& point,
-                                     const SampledSpectrum<N>& reflectance, const Imath::V3f& facing_normal) {
-    if (scene_.emitters().empty()) return;
-    const Emitter& emitter = scene_.emitters()[scene_.picker().pick(path.samples.next_1d_fine())];
-    const EmitterSample light = sample(emitter.geometry, path.last_vertex, path.samples.next_2d());
-    const float cosine = light.to_light.dot(facing_normal);
-    if (light.scale == 0.0f || !(cosine > 0.0f)) return;
-
-    // Lights without extent are found in this way alone; the others also by chance, and share the weight.
-    const float selection = emitter.selection_probability;
-    float factor = light.scale * emitter.scale * cosine * kInvPi / selection;
-    if (light.pdf > 0.0f) factor *= power_heuristic(selection * light.pdf, cosine * kInvPi) / light.pdf;
-    const SampledSpectrum<N> radiance =
-        path.throughput * reflectance * scene_.spectrum(emitter.spectrum).at(path.index) * factor;
-    if (!(radiance.max() > 0.0f)) return;
-
-    const Imath::V3f origin = point.origin_towards(light.to_light);
-    if (light.infinite) {
-        shadow_rays_.push_back({origin, light.to_light});
-    } else {
-        shadow_rays_.push_back({origin, light.target - origin, kShadowRayEnd});
-    }
-    shadows_.push_back({radiance, path_index});
-}
-
-template <int N>
-void PathIntegrator<N>::trace_shadow_rays(std::span<Path<N>> paths) {
+template <class Transport>
+void PathIntegrator<Transport>::trace_shadow_rays(std::span<PathT> paths) {
     occluded_.resize(shadow_rays_.size());
     if (!shadow_rays_.empty()) scene_.accelerator().occluded(shadow_rays_, occluded_);
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
@@ -143,11 +122,7 @@ void PathIntegrator<N>::trace_shadow_rays(std::span<Path<N>> paths) {
     shadows_.clear();
 }
 
-template class PathIntegrator<1>;
-template class PathIntegrator<2>;
-template class PathIntegrator<4>;
-template class PathIntegrator<8>;
-template class PathIntegrator<16>;
-template class PathIntegrator<32>;
+#define EMULSION_INSTANTIATE(TRANSPORT) template class PathIntegrator<TRANSPORT>;
+EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

@@ -9,10 +9,7 @@ namespace emulsion {
 
 PreparedScene::PreparedScene(Scene scene, int threads)
     : scene_(with_settled_objects(std::move(scene))), accelerator_(std::make_unique<Accelerator>(scene_, threads)) {
-    for (const Material& material : scene_.materials) {
-        material_reflectance_.push_back(
-            add_spectrum(std::get<Spectrum>(std::get<DiffuseMaterial>(material).reflectance), 1.0));
-    }
+    materials_ = std::make_unique<PreparedMaterials>(scene_, spectra_);
 
     LightPowers powers;
     shapes_.reserve(scene_.shapes.size());
@@ -27,11 +24,6 @@ PreparedScene::PreparedScene(Scene scene, int threads)
         emitters_[i].selection_probability = static_cast<float>(weights[i] / total);
     }
     picker_ = EmitterPicker(weights);
-}
-
-std::uint32_t PreparedScene::add_spectrum(const Spectrum& spectrum, double scale) {
-    spectra_.emplace_back(spectrum, scale);
-    return static_cast<std::uint32_t>(spectra_.size() - 1);
 }
 
 }  // namespace emulsion

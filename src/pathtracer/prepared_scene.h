@@ -10,9 +10,9 @@
 #include "pathtracer/emitters.h"
 #include "pathtracer/light_powers.h"
 #include "pathtracer/prepared_instance.h"
+#include "pathtracer/prepared_materials.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/surface.h"
-#include "spectrum/spectrum_table.h"
 
 namespace emulsion {
 
@@ -25,10 +25,11 @@ class PreparedScene {
 
     /// What shading needs to know of one shape of the scene.
     struct PreparedShape {
-        const TriangleMesh* mesh = nullptr;          ///< or
-        const BilinearMesh* patches = nullptr;       ///< or
-        std::unique_ptr<PreparedQuadric> quadric;    ///< one of the three
-        std::uint32_t reflectance = 0;               ///< table
+        const TriangleMesh* mesh = nullptr;        ///< or
+        const BilinearMesh* patches = nullptr;     ///< or
+        std::unique_ptr<PreparedQuadric> quadric;  ///< one of the three
+        std::uint32_t material = 0;
+        std::optional<std::uint32_t> diffuse_table;  ///< of a diffuse material that is the same everywhere
         std::optional<std::uint32_t> first_emitter;  ///< that of triangle or patch i is this + i
         bool two_sided = false;
     };
@@ -38,22 +39,22 @@ class PreparedScene {
     [[nodiscard]] const Accelerator& accelerator() const noexcept { return *accelerator_; }
     [[nodiscard]] const PreparedShape& shape(std::uint32_t i) const noexcept { return shapes_[i]; }
     [[nodiscard]] const PreparedInstance& instance(std::uint32_t i) const noexcept { return instances_[i]; }
-    [[nodiscard]] const SpectrumTable& spectrum(std::uint32_t i) const noexcept { return spectra_[i]; }
+    [[nodiscard]] const PreparedMaterials& materials() const noexcept { return *materials_; }
+    [[nodiscard]] const SpectrumTables& spectra() const noexcept { return spectra_; }
     [[nodiscard]] const std::vector<Emitter>& emitters() const noexcept { return emitters_; }
     [[nodiscard]] const EmitterPicker& picker() const noexcept { return picker_; }
     /// Those that rays meet by leaving the scene.
     [[nodiscard]] const std::vector<std::uint32_t>& infinite_emitters() const noexcept { return infinite_emitters_; }
 
   private:
-    std::uint32_t add_spectrum(const Spectrum& spectrum, double scale);
     void add_shape(const Shape& shape, LightPowers& powers);
     void add_area_light(const AreaLight& light, PreparedShape& shape, LightPowers& powers);
     void add_light(const Light& light, LightPowers& powers);
 
     Scene scene_;
     std::unique_ptr<Accelerator> accelerator_;
-    std::vector<SpectrumTable> spectra_;
-    std::vector<std::uint32_t> material_reflectance_;
+    SpectrumTables spectra_;
+    std::unique_ptr<PreparedMaterials> materials_;
     std::vector<PreparedShape> shapes_;
     std::vector<PreparedInstance> instances_;
     std::vector<Emitter> emitters_;

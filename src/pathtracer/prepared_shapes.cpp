@@ -41,7 +41,8 @@ void light_the_sampled_side(PreparedQuadric& quadric) {
 
 void PreparedScene::add_shape(const Shape& shape, LightPowers& powers) {
     PreparedShape prepared_shape;
-    prepared_shape.reflectance = material_reflectance_.at(static_cast<std::size_t>(shape.material));
+    prepared_shape.material = static_cast<std::uint32_t>(shape.material);
+    prepared_shape.diffuse_table = materials_->constant_diffuse(prepared_shape.material);
     prepared_shape.mesh = std::get_if<TriangleMesh>(&shape.geometry);
     prepared_shape.patches = std::get_if<BilinearMesh>(&shape.geometry);
     if (const auto* const sphere = std::get_if<Sphere>(&shape.geometry))
@@ -55,7 +56,7 @@ void PreparedScene::add_shape(const Shape& shape, LightPowers& powers) {
 }
 
 void PreparedScene::add_area_light(const AreaLight& light, PreparedShape& shape, LightPowers& powers) {
-    const std::uint32_t radiance = add_spectrum(light.radiance.spectrum, light.radiance.scale);
+    const std::uint32_t radiance = spectra_.add_light(light.radiance);
     const double exitance = kPi * photometric_strength(light.radiance) * (light.two_sided ? 2.0 : 1.0);
     const auto scale_of = [&](std::uint32_t i) {
         return light.triangle_scale.empty() ? 1.0f : light.triangle_scale.at(i);

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "film/filter_sampler.h"
+#include "film/rgb_input.h"
 #include "pathtracer/aux_layers.h"
 #include "pathtracer/camera.h"
 #include "pathtracer/path_integrator.h"
@@ -23,8 +24,8 @@ namespace {
 /// Paths traced together: enough to fill Embree's packets down to the last bounces, few enough to stay in cache.
 constexpr std::size_t kBatchSize = 256;
 
-/// Renders tiles with N wavelengths per path.
-template <int N>
+/// Renders tiles with one kind of transport.
+template <class Transport>
 class TileRenderer {
   public:
     TileRenderer(const PreparedScene& scene, const RenderOptions& options, const Film& film)
@@ -35,14 +36,15 @@ class TileRenderer {
           sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
           filter_(film.options().filter),
           camera_(std::get<PerspectiveCamera>(scene.scene().camera), film.options().width_px, film.options().height_px),
-          aux_(scene.scene(), film.options().aux) {}
+          aux_(scene.scene(), film.options().aux),
+          rgb_input_(rgb_space("sRGB"), film.sensor().imaging_ratio()) {}
 
     /// These samples of every pixel within the bounds, some of which may lie outside the frame.
     [[nodiscard]] FilmTile render_tile(PixelBounds bounds, SampleRange samples) const {
         FilmTile tile = film_.make_tile(bounds);
-        PathIntegrator<N> integrator(scene_, scene_.scene().integrator.max_depth);
+        PathIntegrator<Transport> integrator(scene_, scene_.scene().integrator.max_depth);
         std::vector<Start> starts;
-        std::vector<Path<N>> paths;
+        std::vector<Path<Transport>> paths;
         std::vector<FirstHit> first_hits(aux_.empty() ? 0 : kBatchSize);
         starts.reserve(kBatchSize);
         paths.reserve(kBatchSize);
@@ -71,15 +73,19 @@ class TileRenderer {
     }
 
   private:
+    static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
+
     struct Start {
         int x, y, sample_index;
         float x_px, y_px, weight;
     };
 
-    Start start_path(int x, int y, int sample_index, Path<N>& path) const noexcept {
+    Start start_path(int x, int y, int sample_index, Path<Transport>& path) const noexcept {
         path.samples = SampleSequence(sampler_, options_.seed, x, y, sample_index);
-        path.wavelengths = hero_wavelengths<N>(wavelength_pdf_, path.samples.next_1d());
-        path.index = SpectrumTableIndex<N>(path.wavelengths.lambda_nm);
+        if constexpr (kSpectral) {
+            path.wavelengths = hero_wavelengths<Transport::kChannels>(wavelength_pdf_, path.samples.next_1d());
+            path.index = typename Transport::Index(path.wavelengths.lambda_nm);
+        }
         const auto [u, v] = path.samples.next_2d();
         Start start{x, y, sample_index, static_cast<float>(x) + u, static_cast<float>(y) + v, 1.0f};
         if (!is_splatted_) {
@@ -92,11 +98,17 @@ class TileRenderer {
         return start;
     }
 
-    void add(FilmTile& tile, const Start& start, const Path<N>& path) const noexcept {
+    void add(FilmTile& tile, const Start& start, const Path<Transport>& path) const noexcept {
         tile.set_sample_index(static_cast<std::uint64_t>(start.sample_index));
-        if (is_splatted_) [[unlikely]]
-            return add_at(tile, start.x_px, start.y_px, path);
-        tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
+        if constexpr (kSpectral) {
+            if (is_splatted_) [[unlikely]]
+                return add_at(tile, start.x_px, start.y_px, path);
+            tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
+        } else {
+            const XYZ xyz = rgb_input_.to_xyz({path.radiance[0], path.radiance[1], path.radiance[2]});
+            if (is_splatted_) return tile.add_at(start.x_px, start.y_px, xyz);
+            tile.add(start.x, start.y, xyz, start.weight);
+        }
     }
     void add_aux(FilmTile& tile, const Start& start, const FirstHit& hit) const noexcept {
         if (is_splatted_) return aux_.add_at(tile, start.x_px, start.y_px, hit);
@@ -112,12 +124,13 @@ class TileRenderer {
     CameraRays camera_;
     AuxLayers aux_;
     VisibleWavelengthPdf wavelength_pdf_;
+    RgbInput rgb_input_;
 };
 
-template <int N>
+template <class Transport>
 void render_with(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film,
                  RenderProgress& progress) {
-    const TileRenderer<N> renderer(scene, options, film.film());
+    const TileRenderer<Transport> renderer(scene, options, film.film());
     const PixelBounds places = film.film().sample_bounds();
     while (const auto round = progress.stop ? std::nullopt : film.next_round(samples_of(options))) {
         parallel_for(0, static_cast<int>(round->tiles.size()), options.threads, [&](int i) {
@@ -171,10 +184,12 @@ SampleRange samples_of(const RenderOptions& options) noexcept {
 FilmProvenance provenance_of(const Scene& scene, const RenderOptions& options) {
     FilmProvenance provenance;
     provenance.scene = scene.hash;
-    provenance.sampling = to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
-                          " seed=" + std::to_string(options.seed) +
-                          " wavelengths=" + std::to_string(options.wavelengths) +
-                          " renderer=emulsion-" EMULSION_VERSION;
+    provenance.sampling =
+        to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
+        " seed=" + std::to_string(options.seed) +
+        (options.transport == TransportKind::rgb ? " transport=rgb"
+                                                 : " wavelengths=" + std::to_string(options.wavelengths)) +
+        " renderer=emulsion-" EMULSION_VERSION;
     return provenance;
 }
 
@@ -183,19 +198,20 @@ void render(const PreparedScene& scene, const RenderOptions& options, FilmInProg
     const FilmProvenance expected = provenance_of(scene.scene(), options), found = film.provenance();
     require_same("scene", found.scene, expected.scene);
     require_same("sampling", found.sampling, expected.sampling);
+    if (options.transport == TransportKind::rgb) return render_with<RgbTransport>(scene, options, film, progress);
     switch (options.wavelengths) {
         case 1:
-            return render_with<1>(scene, options, film, progress);
+            return render_with<SpectralTransport<1>>(scene, options, film, progress);
         case 2:
-            return render_with<2>(scene, options, film, progress);
+            return render_with<SpectralTransport<2>>(scene, options, film, progress);
         case 4:
-            return render_with<4>(scene, options, film, progress);
+            return render_with<SpectralTransport<4>>(scene, options, film, progress);
         case 8:
-            return render_with<8>(scene, options, film, progress);
+            return render_with<SpectralTransport<8>>(scene, options, film, progress);
         case 16:
-            return render_with<16>(scene, options, film, progress);
+            return render_with<SpectralTransport<16>>(scene, options, film, progress);
         default:
-            return render_with<32>(scene, options, film, progress);
+            return render_with<SpectralTransport<32>>(scene, options, film, progress);
     }
 }
 

@@ -14,14 +14,20 @@ namespace emulsion {
 
 inline constexpr int kMostSamplesPerPixel = 1 << 24;
 
+enum class TransportKind {
+    spectral,  ///< a number of wavelengths per path
+    rgb        ///< linear Rec.709: pathtracer/transport.h
+};
+
 struct RenderOptions {
     /// In [1, kMostSamplesPerPixel]; of the whole picture: a stratified sampler's strata depend on it.
     int samples_per_pixel = 16;
     /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
     std::optional<SampleRange> samples = std::nullopt;
     std::uint64_t seed = 0;  ///< another seed, another independent picture
-    int wavelengths = 4;     ///< per path; one of kWavelengthCounts
-    int threads = 0;         ///< >= 0; 0: one per hardware thread
+    TransportKind transport = TransportKind::spectral;
+    int wavelengths = 4;  ///< per path of spectral transport; one of kWavelengthCounts
+    int threads = 0;      ///< >= 0; 0: one per hardware thread
 };
 
 /// \throws std::invalid_argument naming the field, its value and its range.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pathtracer/scene_materials.h"
 #include "pathtracer/scene_transform.h"
 
 namespace emulsion {
@@ -93,10 +94,13 @@ void SceneBuilder::reverse_orientation() noexcept {
     state_.frame.orientation = reversed ? Orientation::as_given : Orientation::reversed;
 }
 
-DiffuseMaterial SceneBuilder::read_material(const ParameterList& list) {
-    check_parameters(material_table(), list);
-    const SceneParameter* const reflectance = find_parameter(list, "reflectance");
-    return reflectance == nullptr ? DiffuseMaterial{} : DiffuseMaterial{spectra_.reflectance(*reflectance)};
+Material SceneBuilder::read_material(const ParameterList& list) {
+    const auto named = [this](const SourcePlace& place, const std::string& name) {
+        NamedMaterial& slot = named_slot(name);
+        if (!slot.first_use) slot.first_use = place;
+        return slot.material;
+    };
+    return emulsion::read_material(list, {textures_, spectra_, named});
 }
 
 int SceneBuilder::add_material(Material material) {
@@ -129,7 +133,7 @@ void SceneBuilder::make_named_material(const SourcePlace& place, ParameterList l
     list.owner = type->strings.front();
     list.place = type->first_value;
     list.parameters.erase(type);
-    DiffuseMaterial made = read_material(list);
+    Material made = read_material(list);
 
     NamedMaterial& slot = named_slot(name);
     if (slot.made) {
@@ -144,6 +148,10 @@ void SceneBuilder::named_material(const SourcePlace& place, const std::string& n
     NamedMaterial& slot = named_slot(name);
     if (!slot.first_use) slot.first_use = place;
     state_.material = slot.material;
+}
+
+void SceneBuilder::texture(const TextureDeclaration& declaration, const ParameterList& list) {
+    textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& list) {
@@ -186,6 +194,42 @@ void SceneBuilder::check_named_materials() const {
                      "one that MakeNamedMaterial makes" + nearest_hint(missing->first, made));
 }
 
+void SceneBuilder::check_mixes() const {
+    const auto place_of = [this](std::size_t material) {
+        const auto is_it = [material](const auto& e) {
+            return static_cast<std::size_t>(e.second.material) == material;
+        };
+        const auto entry = std::find_if(named_materials_.begin(), named_materials_.end(), is_it);
+        return entry == named_materials_.end() ? *world_begin_ : *entry->second.made;
+    };
+    if (const auto endless = endless_mix(scene_.materials)) {
+        throw SceneError(place_of(*endless), "a mix that is part of itself", "one of other materials");
+    }
+    for (const auto& [name, named] : named_materials_) {
+        const Material& material = scene_.materials[static_cast<std::size_t>(named.material)];
+        if (!std::holds_alternative<InterfaceMaterial>(material) || !named.first_use) continue;
+        for (const Material& other : scene_.materials) {
+            const auto* mix = std::get_if<MixMaterial>(&other);
+            if (mix == nullptr || (mix->first != named.material && mix->second != named.material)) continue;
+            throw SceneError(*named.made, fmt::format("the interface {} as part of a mix", quote(name)),
+                             "another material (known to pbrt-v4 and not yet supported here)");
+        }
+    }
+}
+
+void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
+    const auto is_interface = [this](const Shape& shape) {
+        return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
+    };
+    const auto emits = [&](const Shape& shape) { return is_interface(shape) && shape.area_light; };
+    if (const auto dark = std::count_if(shapes.begin(), shapes.end(), emits); dark > 0) {
+        warn(*world_begin_,
+             fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
+                         dark == 1 ? "" : "s"));
+    }
+    std::erase_if(shapes, is_interface);
+}
+
 void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {
     scene_.warnings.push_back(to_text(place) + ": " + what);
 }
@@ -196,6 +240,8 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
         throw SceneError(saved_.back().begin, "AttributeBegin without its AttributeEnd", "as many of one as the other");
     }
     check_named_materials();
+    check_mixes();
+    leave_out_interfaces(scene_.shapes);
 
     const auto emits = [](const Shape& shape) { return shape.area_light.has_value(); };
     if (scene_.lights.empty() && std::none_of(scene_.shapes.begin(), scene_.shapes.end(), emits)) {

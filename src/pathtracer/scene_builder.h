@@ -15,6 +15,7 @@
 #include "pathtracer/scene_options.h"
 #include "pathtracer/scene_shapes.h"
 #include "pathtracer/scene_spectra.h"
+#include "pathtracer/scene_textures.h"
 
 namespace emulsion {
 
@@ -56,6 +57,7 @@ class SceneBuilder {
     void material(const SourcePlace& place, const ParameterList& list);
     void make_named_material(const SourcePlace& place, ParameterList list);
     void named_material(const SourcePlace& place, const std::string& name);
+    void texture(const TextureDeclaration& declaration, const ParameterList& list);
     void area_light_source(const SourcePlace& place, const ParameterList& list);
     void light_source(const SourcePlace& place, const ParameterList& list);
     void shape(const SourcePlace& place, const ParameterList& list);
@@ -76,17 +78,21 @@ class SceneBuilder {
     };
 
     void note_option(const SourcePlace& place, const std::string& directive);
-    [[nodiscard]] DiffuseMaterial read_material(const ParameterList& list);
+    [[nodiscard]] Material read_material(const ParameterList& list);
     [[nodiscard]] int add_material(Material material);
     void add_shape(Geometry geometry);
     [[nodiscard]] NamedMaterial& named_slot(const std::string& name);
     void check_named_materials() const;
+    void check_mixes() const;
+    /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void warn(const SourcePlace& place, const std::string& what);
 
     Scene scene_;
     double exposure_time_s_ = 1.0;  // of the camera
     SceneFiles files_;
     SpectrumReader spectra_;
+    SceneTextures textures_;
     SceneBlock block_ = SceneBlock::options;
     GraphicsState state_;
     std::vector<SavedState> saved_;

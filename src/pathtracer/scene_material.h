@@ -2,8 +2,10 @@
 // Materials as a scene describes them. Both sides of a surface have the same material; a dielectric's inside is the
 // side away from the normal.
 
+#include <cstddef>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "pathtracer/scene_texture.h"
 #include "spectrum/spectrum.h"
@@ -44,7 +46,7 @@ struct ThinDielectricMaterial {
     Spectrum eta = ConstantSpectrum{1.5};
 };
 
-/// Lambertian on both sides of the surface; reflectance + transmittance <= 1, or both are scaled down by their sum.
+/// Lambertian on both sides of the surface. As in pbrt-v4 nothing keeps the sum of both below 1.
 struct DiffuseTransmissionMaterial {
     ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.25});
     ReflectanceParameter transmittance = Spectrum(ConstantSpectrum{0.25});
@@ -56,11 +58,8 @@ struct CoatedDiffuseMaterial {
     ReflectanceParameter reflectance = Spectrum(ConstantSpectrum{0.5});
     Spectrum eta = ConstantSpectrum{1.5};
     Roughness roughness;
-    double thickness = 0.01;                                        ///< of the coat; matters with a medium in it only
-    ReflectanceParameter albedo = Spectrum(ConstantSpectrum{0.0});  ///< of the medium in the coat; 0: none
-    double asymmetry = 0.0;                                         ///< g of its phase function, in (-1, 1)
-    int max_depth = 10;                                             ///< longest walk between the layers
-    int samples = 1;                                                ///< walks per evaluation
+    double thickness = 0.01;  ///< of the coat, in mean free paths of what it absorbs; >= 0
+    int max_depth = 10;       ///< of the light's way between coat and base, in meetings with either; >= 0
 };
 
 /// The second material with probability `amount`, else the first: indices into Scene::materials.
@@ -74,5 +73,9 @@ struct InterfaceMaterial {};
 
 using Material = std::variant<DiffuseMaterial, ConductorMaterial, DielectricMaterial, ThinDielectricMaterial,
                               DiffuseTransmissionMaterial, CoatedDiffuseMaterial, MixMaterial, InterfaceMaterial>;
+
+/// A mix that contains itself, by its index; unset if none does.
+/// \throws std::invalid_argument for a mix of a material that is not there.
+[[nodiscard]] std::optional<std::size_t> endless_mix(const std::vector<Material>& materials);
 
 }  // namespace emulsion

@@ -29,6 +29,9 @@ constexpr auto kKinds = std::to_array<KindRow>({
     {ValueKind::vector3, 3, "vector3"},
     {ValueKind::normal, 3, "normal"},
     {ValueKind::spectrum, 1, "rgb, blackbody or spectrum"},
+    {ValueKind::real_or_spectrum, 1, "float, rgb, blackbody or spectrum"},
+    {ValueKind::real_or_texture, 1, "float or texture"},
+    {ValueKind::spectrum_or_texture, 1, "rgb, blackbody, spectrum or texture"},
 });
 
 const KindRow& row_of(ValueKind kind) noexcept {
@@ -53,6 +56,12 @@ bool fits(DeclaredType type, ValueKind kind) noexcept {
             return type == D::integer || type == D::real;
         case ValueKind::spectrum:
             return type == D::rgb || type == D::blackbody || type == D::spectrum;
+        case ValueKind::real_or_spectrum:
+            return fits(type, ValueKind::real) || fits(type, ValueKind::spectrum);
+        case ValueKind::real_or_texture:
+            return type == D::texture || fits(type, ValueKind::real);
+        case ValueKind::spectrum_or_texture:
+            return type == D::texture || fits(type, ValueKind::spectrum);
         default:
             return name_of(type) == row_of(kind).declared_as;
     }
@@ -71,7 +80,7 @@ void check_type(const SceneParameter& parameter, const ParameterSpec& spec, cons
 
 /// Spectra have sizes of their own (scene_spectra.h).
 void check_count(const SceneParameter& parameter, const ParameterSpec& spec, const std::string& of) {
-    if (spec.kind == ValueKind::spectrum) return;
+    if (spec.count == 1 && fits(parameter.type, ValueKind::spectrum)) return;
     const std::size_t components = row_of(spec.kind).components;
     const std::size_t count = parameter.numbers.size() + parameter.strings.size();
     const std::size_t wanted = components * spec.count;

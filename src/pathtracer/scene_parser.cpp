@@ -86,6 +86,13 @@ void run_named_material(Reading& r) {
     r.scene.named_material(name.place, string_value(name));
 }
 
+void run_texture(Reading& r) {
+    const Token name = read_string(r.lexer, r.directive), kind = read_string(r.lexer, r.directive);
+    const Token texture_class = read_string(r.lexer, r.directive);
+    r.scene.texture({string_value(name), string_value(kind), name.place, kind.place},
+                    {string_value(texture_class), texture_class.place, read_parameters(r.lexer)});
+}
+
 /// Directives of a name and parameters.
 template <auto Apply>
 void run_named(Reading& r) {
@@ -123,6 +130,7 @@ constexpr auto kDirectives = std::to_array<Directive>({
     {"Sampler", run_named<&SceneBuilder::sampler>, options},
     {"Scale", run_scale, anywhere},
     {"Shape", run_named<&SceneBuilder::shape>, world},
+    {"Texture", run_texture, world},
     {"Transform", run_transform, anywhere},
     {"Translate", run_translate, anywhere},
     {"WorldBegin", run_world_begin, options},
@@ -140,7 +148,6 @@ constexpr auto kDirectives = std::to_array<Directive>({
     {.name = "ObjectEnd", .support = Support::pbrt_only},
     {.name = "ObjectInstance", .support = Support::pbrt_only},
     {.name = "Option", .support = Support::pbrt_only},
-    {.name = "Texture", .support = Support::pbrt_only},
     {.name = "TransformBegin", .support = Support::pbrt_only},
     {.name = "TransformEnd", .support = Support::pbrt_only},
     {.name = "TransformTimes", .support = Support::pbrt_only},

@@ -6,6 +6,7 @@
 //     element     = "AttributeBegin" { element | transform } "AttributeEnd" | "ReverseOrientation"
 //                 | ( "Shape" | "Material" | "LightSource" | "AreaLightSource" | "MakeNamedMaterial" ) named
 //                 | "NamedMaterial" string
+//                 | "Texture" string string named                   name, "float" or "spectrum", class
 //     transform   = "Identity"
 //                 | ( "Translate" | "Scale" ) numbers(3)
 //                 | "Rotate" numbers(4)                             angle in degrees, axis

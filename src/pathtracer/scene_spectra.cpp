@@ -23,7 +23,7 @@ struct Bounds {
     std::string_view expected;
 };
 constexpr Bounds kReflectanceBounds = {1.0, "reflectances from 0 to 1"};
-constexpr Bounds kLightBounds = {HUGE_VAL, "0 or a number above"};
+constexpr Bounds kUnboundedBounds = {HUGE_VAL, "0 or a number above"};
 
 bool within(double value, const Bounds& bounds) noexcept { return value >= 0.0 && value <= bounds.max; }
 
@@ -156,9 +156,15 @@ Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
     return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
+Spectrum SpectrumReader::index_of_refraction(const SceneParameter& parameter) {
+    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kUnboundedBounds);
+    return uplift().unbounded(rgb_of(parameter, kUnboundedBounds));
+}
+
 ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
-    Spectrum spectrum = parameter.type == DeclaredType::rgb ? Spectrum(uplift().light(rgb_of(parameter, kLightBounds)))
-                                                            : spectrum_of(parameter, *files_, kLightBounds);
+    Spectrum spectrum = parameter.type == DeclaredType::rgb
+                            ? Spectrum(uplift().light(rgb_of(parameter, kUnboundedBounds)))
+                            : spectrum_of(parameter, *files_, kUnboundedBounds);
     const double scale = unit_scale(spectrum);
     if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",

@@ -27,6 +27,10 @@ class SpectrumReader {
     /// colours, and clamps tabulated values without a word).
     [[nodiscard]] Spectrum reflectance(const SceneParameter& parameter);
 
+    /// An index of refraction, or the k of one.
+    /// \throws SceneError if it is malformed, unknown, or negative anywhere.
+    [[nodiscard]] Spectrum index_of_refraction(const SceneParameter& parameter);
+
     /// The spectrum of a light in absolute units, scaled to a luminance of 1 cd/m^2, an intensity of 1 cd or an
     /// illuminance of 1 lux; that of an RGB light would be so were it white.
     /// \throws SceneError if it is malformed, unknown, negative anywhere, or 0 wherever it could be seen.

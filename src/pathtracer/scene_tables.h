@@ -13,7 +13,21 @@
 namespace emulsion {
 
 /// What a parameter is, whatever type it was declared with.
-enum class ValueKind { integer, real, boolean, string, point2, vector2, point3, vector3, normal, spectrum };
+enum class ValueKind {
+    integer,
+    real,
+    boolean,
+    string,
+    point2,
+    vector2,
+    point3,
+    vector3,
+    normal,
+    spectrum,
+    real_or_spectrum,
+    real_or_texture,
+    spectrum_or_texture
+};
 
 enum class ValueRange { any, positive, not_negative };
 
@@ -45,6 +59,8 @@ struct ImplementationTable {
 [[nodiscard]] const ImplementationTable& sampler_table() noexcept;
 [[nodiscard]] const ImplementationTable& filter_table() noexcept;
 [[nodiscard]] const ImplementationTable& integrator_table() noexcept;
+[[nodiscard]] const ImplementationTable& float_texture_table() noexcept;
+[[nodiscard]] const ImplementationTable& reflectance_texture_table() noexcept;
 [[nodiscard]] const ImplementationTable& material_table() noexcept;
 [[nodiscard]] const ImplementationTable& area_light_table() noexcept;
 [[nodiscard]] const ImplementationTable& light_table() noexcept;

@@ -29,8 +29,14 @@ struct Frame {
         tangent = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
         bitangent = {b, sign + n.y * n.y * a, -n.y};
     }
+    /// With this tangent, a unit vector at right angles to the normal.
+    Frame(const Imath::V3f& n, const Imath::V3f& t) noexcept : tangent(t), bitangent(n.cross(t)), normal(n) {}
+
     [[nodiscard]] Imath::V3f to_world(const Imath::V3f& local) const noexcept {
         return tangent * local.x + bitangent * local.y + normal * local.z;
+    }
+    [[nodiscard]] Imath::V3f to_local(const Imath::V3f& world) const noexcept {
+        return {world.dot(tangent), world.dot(bitangent), world.dot(normal)};
     }
 };
 

@@ -28,7 +28,7 @@ struct SampledWavelengths {
 /// N values at the wavelengths of one path: a radiance in W m^-2 sr^-1 nm^-1, a reflectance, a throughput.
 template <int N>
 struct SampledSpectrum {
-    alignas(N >= 4 ? 16 : 4 * N) std::array<float, N> value{};
+    alignas(N == 3 ? 4 : N >= 4 ? 16 : 4 * N) std::array<float, N> value{};
 
     SampledSpectrum() = default;
     explicit constexpr SampledSpectrum(float constant) noexcept { value.fill(constant); }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/chi_square.h"
+
 namespace emulsion {
 namespace {
 
@@ -77,8 +79,9 @@ TEST(Permuted, IsAPermutationForEveryCount) {
     }
 }
 
-/// Every place is equally likely for every index: chi-square over 16 x 16 cells, 225 degrees of freedom; the bound is
-/// exceeded by chance with probability 1e-6 (mean 225 + 5.3 standard deviations, upper tail).
+/// Every place is equally likely for every index: a chi-square test that fails by chance once in 1e6 seeds. Each
+/// permutation fills every row and column once, so that Pearson's sum over k x k cells has (k - 1)^2 degrees of freedom
+/// and is k/(k - 1) times too large.
 TEST(Permuted, SpreadsOverAllPlaces) {
     constexpr std::uint32_t kCount = 16, kSeeds = 20000;
     std::vector<double> hits(kCount * kCount);
@@ -86,10 +89,9 @@ TEST(Permuted, SpreadsOverAllPlaces) {
         const auto seed = static_cast<std::uint32_t>(mix_bits(s));
         for (std::uint32_t i = 0; i < kCount; ++i) ++hits[i * kCount + permuted(i, kCount, seed)];
     }
-    double chi_square = 0.0;
-    const double expected = static_cast<double>(kSeeds) / kCount;
-    for (const double count : hits) chi_square += (count - expected) * (count - expected) / expected;
-    EXPECT_LT(chi_square, 340.0);
+    const std::vector<double> expected(hits.size(), static_cast<double>(kSeeds) / kCount);
+    const double statistic = testing::chi_square_test(hits, expected).statistic * (kCount - 1.0) / kCount;
+    EXPECT_GT(testing::chi_square_tail(statistic, (kCount - 1.0) * (kCount - 1.0)), 1e-6);
 }
 
 }  // namespace

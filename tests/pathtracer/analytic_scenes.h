@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "pathtracer/path_integrator.h"
@@ -44,6 +45,13 @@ inline TriangleMesh inward_box() {
     return mesh;
 }
 
+/// Form factor of a rectangle a x b, parallel at height 1 over the point below one of its corners, from that point.
+/// Source: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-4.
+inline double corner_form_factor(double a, double b) {
+    const double x = std::sqrt(1.0 + a * a), y = std::sqrt(1.0 + b * b);
+    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2.0 * std::numbers::pi);
+}
+
 /// Mean and standard error of the radiance along a ray, wavelength by wavelength.
 struct RadianceEstimate {
     std::array<double, 4> mean{}, standard_error{};
@@ -52,11 +60,11 @@ struct RadianceEstimate {
 inline RadianceEstimate estimate_radiance(const Scene& scene, const Ray& ray, int count, const Sampler& sampler = {},
                                           std::uint64_t seed = 1) {
     const PreparedScene prepared(scene, 1);
-    PathIntegrator<4> integrator(prepared, scene.integrator.max_depth);
+    PathIntegrator<SpectralTransport<4>> integrator(prepared, scene.integrator.max_depth);
     std::array<double, 4> sum{}, sum_of_squares{};
     constexpr int kBatch = 256;
     for (int begin = 0; begin < count; begin += kBatch) {
-        std::vector<Path<4>> paths(static_cast<std::size_t>(std::min(kBatch, count - begin)));
+        std::vector<Path<SpectralTransport<4>>> paths(static_cast<std::size_t>(std::min(kBatch, count - begin)));
         for (std::size_t i = 0; i < paths.size(); ++i) {
             paths[i].ray = ray;
             paths[i].samples = SampleSequence(sampler, seed, 0, 0, begin + static_cast<int>(i));

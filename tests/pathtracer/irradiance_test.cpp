@@ -64,13 +64,6 @@ TEST_P(Irradiance, UniformSkyGivesPi) {
     expect_irradiance(scene, 0.0f, 0.0f, reflectance_, emission_, kPi);
 }
 
-/// Form factor of a rectangle a x b, parallel at height 1 over the point below one of its corners, from that point.
-/// Source: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-4.
-double corner_form_factor(double a, double b) {
-    const double x = std::sqrt(1.0 + a * a), y = std::sqrt(1.0 + b * b);
-    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2.0 * kPi);
-}
-
 /// Above the origin: the rectangle [-1, 3] x [-2, 1] at height 2, facing down.
 Scene rectangle_scene(const Spectrum& reflectance, const Spectrum& emission) {
     Scene scene = floor_scene(reflectance);

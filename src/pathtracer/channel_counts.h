@@ -1,0 +1,8 @@
+#pragma once
+// For explicit instantiations.
+
+/// Expands macro(N) for each of kWavelengthCounts.
+#define EMULSION_FOR_EACH_WAVELENGTH_COUNT(macro) macro(1) macro(2) macro(4) macro(8) macro(16) macro(32)
+
+/// And for red, green and blue.
+#define EMULSION_FOR_EACH_CHANNEL_COUNT(macro) EMULSION_FOR_EACH_WAVELENGTH_COUNT(macro) macro(3)

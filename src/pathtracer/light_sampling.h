@@ -1,0 +1,56 @@
+#pragma once
+// The parts of PathIntegrator that diffuse surfaces and all others share: next-event estimation and Russian roulette.
+
+#include "pathtracer/bsdf.h"
+#include "pathtracer/path_integrator.h"
+#include "pathtracer/vector_math.h"
+
+namespace emulsion {
+
+/// Shadow rays stop short of the light by this share of the distance, beside the offsets at both ends.
+inline constexpr float kShadowRayEnd = 1.0f - 1e-5f;
+
+/// Scattering events that every path is granted before Russian roulette may end it.
+inline constexpr int kFirstRouletteDepth = 2;
+
+/// `evaluate` gives the BsdfValue of a unit direction in world space.
+template <class Transport>
+template <class Evaluate>
+void PathIntegrator<Transport>::sample_light(PathT& path, std::uint32_t path_index, const SurfacePoint& point,
+                                             Evaluate&& evaluate) {
+    if (scene_.emitters().empty()) return;
+    const Emitter& emitter = scene_.emitters()[scene_.picker().pick(path.samples.next_1d_fine())];
+    const EmitterSample light = sample(emitter.geometry, path.last_vertex, path.samples.next_2d());
+    if (light.scale == 0.0f) return;
+    const BsdfValue<Transport::kChannels> bsdf = evaluate(light.to_light);
+    if (!(bsdf.pdf > 0.0f)) return;
+
+    // Lights without extent are found in this way alone; the others also by chance, and share the weight.
+    const float selection = emitter.selection_probability;
+    float factor = light.scale * emitter.scale / selection;
+    if (light.pdf > 0.0f) factor *= power_heuristic(selection * light.pdf, bsdf.pdf) / light.pdf;
+    const Values radiance = path.throughput * bsdf.f_cos * scene_.spectra()[emitter.spectrum].at(path.index) * factor;
+    if (!(radiance.max() > 0.0f)) return;
+
+    const Imath::V3f origin = point.origin_towards(light.to_light);
+    if (light.infinite) {
+        shadow_rays_.push_back({origin, light.to_light});
+    } else {
+        shadow_rays_.push_back({origin, light.target - origin, kShadowRayEnd});
+    }
+    shadows_.push_back({radiance, path_index});
+}
+
+/// Ends paths that carry little, and makes up for it in those that go on.
+template <class Transport>
+inline bool PathIntegrator<Transport>::survives_roulette(PathT& path, int depth) noexcept {
+    // Without what the medium's index does to radiance: it comes back when the path leaves the medium.
+    const float largest = path.throughput.max() * path.eta_scale;
+    if (!(largest > 0.0f)) return false;
+    if (depth + 1 < kFirstRouletteDepth || largest >= 1.0f) return true;
+    if (path.samples.next_1d() >= largest) return false;
+    path.throughput *= 1.0f / largest;
+    return true;
+}
+
+}  // namespace emulsion
