@@ -12,7 +12,7 @@ void note_first_hits(const PreparedScene& scene, std::span<const Ray> rays, std:
     for (std::size_t i = 0; i < hits.size(); ++i) {
         first_hits[i] = {};
         if (hits[i].shape == Hit::kNone) continue;
-        const SurfacePoint point = surface_point(scene.shape(hits[i].shape), rays[i], hits[i]);
+        const SurfacePoint point = surface_point(scene, rays[i], hits[i]);
         const Imath::V3f normal = point.shading_normal;
         const bool front = rays[i].direction.dot(normal) < 0.0f;
         first_hits[i] = {hits[i].shape, hits[i].t, front ? normal : -normal, {}};

@@ -45,8 +45,8 @@ TEST(SceneParser, NamesTheTokenAtFault) {
         {"WorldBegin Material \"dielectric\"", "1:21: found material \"dielectric\", " + unsupported + "diffuse)"},
         {"WorldBegin LightSource \"spot\"",
          "1:24: found light source \"spot\", " + unsupported + "point, distant, infinite)"},
-        {"WorldBegin Shape \"disk\"",
-         "1:18: found shape \"disk\", " + unsupported + "trianglemesh, bilinearmesh, sphere)"},
+        {"WorldBegin Shape \"curve\"", "1:18: found shape \"curve\", " + unsupported +
+                                           "trianglemesh, bilinearmesh, plymesh, sphere, disk, cylinder)"},
         {"Film \"spectral\"", "1:6: found film \"spectral\", " + unsupported + "rgb)"},
         {"Integrator \"volpath\"", "1:12: found integrator \"volpath\", " + unsupported + "path)"},
         {"Camera \"perspective\" \"float fow\" 3",
