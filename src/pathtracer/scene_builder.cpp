@@ -154,22 +154,24 @@ void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
 void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
     require_rest(list.place, "a shape");
     inherit(AttributeTarget::shape, shape_table(), list);
-    std::optional<ReadShape> read = read_shape(list, state_.frame, scene_.warnings);
-    if (!read) return;  // warned of
+    if (state_.area_light && open_object_) {
+        warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
+    }
+    for (Geometry& geometry : read_shape(list, state_.frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
+}
+
+void SceneBuilder::add_shape(Geometry geometry) {
     Shape shape;
     shape.material = state_.material;
     if (shape.material < 0) {
         if (default_material_ < 0) default_material_ = add_material(DiffuseMaterial{});
         shape.material = default_material_;
     }
-    if (state_.area_light && open_object_) {
-        warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
-    } else if (state_.area_light) {
-        shape.area_light = light_of_shape(*state_.area_light, read->light_areas);
+    if (state_.area_light && !open_object_) {
+        shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
     }
-    shape.geometry = std::move(read->geometry);
-    auto& shapes = open_object_ ? scene_.objects.at(static_cast<std::size_t>(*open_object_)).shapes : scene_.shapes;
-    shapes.push_back(std::move(shape));
+    shape.geometry = std::move(geometry);
+    scene_.shapes.push_back(std::move(shape));
 }
 
 // --- The end
@@ -211,7 +213,8 @@ void SceneBuilder::check_mixes() const {
     }
 }
 
-void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
+void SceneBuilder::leave_out_interfaces() {
+    std::vector<Shape>& shapes = scene_.shapes;
     const auto is_interface = [this](const Shape& shape) {
         return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
     };
@@ -220,6 +223,12 @@ void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
         warn(*world_begin_,
              fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
                          dark == 1 ? "" : "s"));
+    }
+    // Objects are ranges of shapes, and close up with them.
+    std::vector<std::size_t> kept_before = {0};
+    for (const Shape& shape : shapes) kept_before.push_back(kept_before.back() + (is_interface(shape) ? 0 : 1));
+    for (Object& object : scene_.objects) {
+        object = {kept_before[object.first_shape], kept_before[object.end_shape]};
     }
     std::erase_if(shapes, is_interface);
 }
@@ -233,8 +242,7 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     require_closed_blocks();
     check_named_materials();
     check_mixes();
-    leave_out_interfaces(scene_.shapes);
-    for (ObjectDefinition& object : scene_.objects) leave_out_interfaces(object.shapes);
+    leave_out_interfaces();
     resolve_instances();
     scene_.sampler_seed = sampler_seed_.value_or(options_.seed);
     scene_.jitter = options_.jitter;

@@ -116,9 +116,10 @@ TEST(SceneMaterials, RefusesWhatIsNoMaterial) {
     EXPECT_EQ(world_error_of("MakeNamedMaterial \"a\" \"rgb reflectance\" [1 1 1]"),
               "t.pbrt:2:19: found the material \"a\" without a type, expected a parameter \"string type\"");
     EXPECT_EQ(
-        world_error_of("MakeNamedMaterial \"a\" \"string type\" \"conductor\""),
-        "t.pbrt:2:37: found material \"conductor\", expected a supported one (known to pbrt-v4 and not yet supported "
-        "here; supported: diffuse)");
+        world_error_of("MakeNamedMaterial \"a\" \"string type\" \"hair\""),
+        "t.pbrt:2:37: found material \"hair\", expected a supported one (known to pbrt-v4 and not yet supported here; "
+        "supported: diffuse, conductor, dielectric, thindielectric, diffusetransmission, coateddiffuse, mix, "
+        "interface)");
     EXPECT_EQ(world_error_of("MakeNamedMaterial \"a\" \"string type\" [\"diffuse\" \"mix\"]"),
               "t.pbrt:2:23: found 2 types of one material, expected 1");
     EXPECT_EQ(world_error_of("NamedMaterial white"),
@@ -152,13 +153,9 @@ TEST(SceneSpectra, RefusesMalformedOnes) {
         {R"("spectrum reflectance" "stdillum-B")",
          "43: found spectrum \"stdillum-B\", expected a known one, or a file that can be read (nearest known name: "
          "\"stdillum-A\")"},
-        {R"("texture reflectance" "t")",
-         "20: found type \"texture\" of parameter \"reflectance\" of material \"diffuse\", expected a supported one "
-         "(known "
-         "to pbrt-v4 and not yet supported here; supported: rgb, blackbody or spectrum)"},
         {R"("float reflectance" .5)",
-         "20: found type \"float\" of parameter \"reflectance\" of material \"diffuse\", expected rgb, blackbody or "
-         "spectrum"},
+         "20: found type \"float\" of parameter \"reflectance\" of material \"diffuse\", expected rgb, blackbody, "
+         "spectrum or texture"},
     };
     for (const BadSpectrum& spectrum : bad) {
         EXPECT_EQ(world_error_of("Material \"diffuse\" " + spectrum.parameter), "t.pbrt:2:" + spectrum.message)
