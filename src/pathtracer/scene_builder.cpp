@@ -159,7 +159,7 @@ void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& li
 }
 
 void SceneBuilder::light_source(const SourcePlace&, const ParameterList& list) {
-    scene_.lights.push_back(read_light(list, state_.frame.world_from_object, spectra_));
+    scene_.lights.push_back(read_light(list, {state_.frame.world_from_object, spectra_, files_, scene_.warnings}));
 }
 
 void SceneBuilder::shape(const SourcePlace&, const ParameterList& list) {
