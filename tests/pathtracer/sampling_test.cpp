@@ -115,7 +115,7 @@ class LightSampling {
         scene_.accelerator().intersect({&ray, 1}, {&hit, 1});
         if (hit.shape == Hit::kNone) return {};
         const auto& shape = scene_.shape(hit.shape);
-        return {&shape, *shape.first_emitter + hit.primitive, surface_point(shape, ray, hit)};
+        return {&shape, *shape.first_emitter + hit.primitive, surface_point(scene_, ray, hit)};
     }
     [[nodiscard]] bool grazing(const Imath::V3f& direction) const {
         const Met met = meet(direction);
