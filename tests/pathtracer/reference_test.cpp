@@ -93,7 +93,10 @@ std::string name_of(const ::testing::TestParamInfo<const char*>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Reference, ::testing::Values("cornell-published-light", "cornell-fl11"), name_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, Reference,
+                         ::testing::Values("cornell-published-light", "cornell-fl11", "glass-dispersion", "metals",
+                                           "rgb-still-life"),
+                         name_of);
 
 }  // namespace
 }  // namespace emulsion::testing
