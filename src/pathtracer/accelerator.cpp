@@ -1,11 +1,15 @@
 #include "pathtracer/accelerator.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
+#include "pathtracer/bilinear.h"
 #include "pathtracer/embree.h"
-#include "pathtracer/sphere.h"
+#include "pathtracer/quadrics.h"
 
 namespace emulsion {
 
@@ -13,13 +17,18 @@ struct Accelerator::Embree {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     int packet_width = 4;
-    std::vector<std::unique_ptr<PreparedSphere>> spheres;  // Embree keeps their addresses
+    std::vector<RTCScene> objects;
+    std::vector<std::unique_ptr<PreparedQuadric>> quadrics;  // Embree keeps their addresses
+    // Geometry numbers of the top level: shapes outside of objects in their order, then the instances.
+    std::vector<std::uint32_t> shape_of_geometry;
+    std::vector<std::size_t> first_shape_of_instance;
 
     Embree() = default;
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
     ~Embree() {
         if (scene != nullptr) rtcReleaseScene(scene);
+        for (RTCScene object : objects) rtcReleaseScene(object);
         if (device != nullptr) rtcReleaseDevice(device);
     }
 
@@ -30,70 +39,107 @@ struct Accelerator::Embree {
                                      std::to_string(static_cast<int>(error)));
         }
     }
+    [[nodiscard]] RTCScene new_scene() const;
+    void attach(RTCScene to, RTCGeometry geometry, std::size_t number) const;
+    [[nodiscard]] RTCGeometry make_geometry(const TriangleMesh& mesh);
+    [[nodiscard]] RTCGeometry make_geometry(const BilinearMesh& mesh);
+    template <class Quadric>
+    [[nodiscard]] RTCGeometry make_geometry(const Quadric& quadric);
+    [[nodiscard]] RTCGeometry make_instance(const Instance& instance) const;
+
+    /// Turns Embree's numbers into ours.
+    [[nodiscard]] Hit hit_of(float t, float u, float v, unsigned geometry, unsigned primitive,
+                             unsigned instance) const noexcept {
+        if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
+        if (instance == RTC_INVALID_GEOMETRY_ID) return {t, u, v, shape_of_geometry[geometry], primitive, Hit::kNone};
+        const auto number = static_cast<std::uint32_t>(instance - shape_of_geometry.size());
+        return {t, u, v, static_cast<std::uint32_t>(first_shape_of_instance[number] + geometry), primitive, number};
+    }
 };
 
 namespace {
 
-// --- Spheres as user geometry -----------------------------------------------------------------------------------------
+// --- User geometry: a mesh of patches, or one quadric ----------------------------------------------------------------
 
-void sphere_bounds(const RTCBoundsFunctionArguments* args) {
-    const Imath::Box3f box = bounds(*static_cast<const PreparedSphere*>(args->geometryUserPtr));
+std::optional<BilinearHit> first_hit_of(const BilinearMesh& mesh, unsigned patch, const Ray& ray) {
+    return first_hit(BilinearPatch(mesh, patch), Imath::V3d(ray.origin), Imath::V3d(ray.direction), 0.0,
+                     static_cast<double>(ray.t_max));
+}
+template <class Quadric>
+std::optional<BilinearHit> first_hit_of(const Quadric& quadric, unsigned, const Ray& ray) {
+    const auto t = first_hit(quadric, ray.origin, ray.direction, 0.0, static_cast<double>(ray.t_max));
+    return t ? std::optional<BilinearHit>({*t, 0.0, 0.0}) : std::nullopt;
+}
+
+Imath::Box3f bounds_of(const BilinearMesh& mesh, unsigned patch) { return bounds(BilinearPatch(mesh, patch)); }
+template <class Quadric>
+Imath::Box3f bounds_of(const Quadric& quadric, unsigned) {
+    return bounds(quadric);
+}
+
+Ray ray_of_lane(RTCRayN* ray, unsigned n, unsigned lane) {
+    return {{RTCRayN_org_x(ray, n, lane), RTCRayN_org_y(ray, n, lane), RTCRayN_org_z(ray, n, lane)},
+            {RTCRayN_dir_x(ray, n, lane), RTCRayN_dir_y(ray, n, lane), RTCRayN_dir_z(ray, n, lane)},
+            RTCRayN_tfar(ray, n, lane)};
+}
+
+template <class Geometry>
+void bounds_callback(const RTCBoundsFunctionArguments* args) {
+    const Imath::Box3f box = bounds_of(*static_cast<const Geometry*>(args->geometryUserPtr), args->primID);
     *args->bounds_o = {box.min.x, box.min.y, box.min.z, 0.0f, box.max.x, box.max.y, box.max.z, 0.0f};
 }
 
-std::optional<double> first_hit_of_lane(const PreparedSphere& sphere, RTCRayN* ray, unsigned n, unsigned lane) {
-    const Imath::V3f origin(RTCRayN_org_x(ray, n, lane), RTCRayN_org_y(ray, n, lane), RTCRayN_org_z(ray, n, lane));
-    const Imath::V3f direction(RTCRayN_dir_x(ray, n, lane), RTCRayN_dir_y(ray, n, lane), RTCRayN_dir_z(ray, n, lane));
-    return first_hit(sphere, origin, direction, RTCRayN_tnear(ray, n, lane), RTCRayN_tfar(ray, n, lane));
-}
-
-void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
-    const auto& sphere = *static_cast<const PreparedSphere*>(args->geometryUserPtr);
+template <class Geometry>
+void intersect_callback(const RTCIntersectFunctionNArguments* args) {
+    const auto& geometry = *static_cast<const Geometry*>(args->geometryUserPtr);
     RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
     RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
     for (unsigned lane = 0; lane < args->N; ++lane) {
         if (args->valid[lane] == 0) continue;
-        const auto t = first_hit_of_lane(sphere, ray, args->N, lane);
-        if (!t) continue;
-        RTCRayN_tfar(ray, args->N, lane) = static_cast<float>(*t);
-        RTCHitN_u(hit, args->N, lane) = 0.0f;
-        RTCHitN_v(hit, args->N, lane) = 0.0f;
+        const auto met = first_hit_of(geometry, args->primID, ray_of_lane(ray, args->N, lane));
+        if (!met) continue;
+        RTCRayN_tfar(ray, args->N, lane) = static_cast<float>(met->t);
+        RTCHitN_u(hit, args->N, lane) = static_cast<float>(met->u);
+        RTCHitN_v(hit, args->N, lane) = static_cast<float>(met->v);
         RTCHitN_geomID(hit, args->N, lane) = args->geomID;
         RTCHitN_primID(hit, args->N, lane) = args->primID;
+        RTCHitN_instID(hit, args->N, lane, 0) = args->context->instID[0];
     }
 }
 
-void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
-    const auto& sphere = *static_cast<const PreparedSphere*>(args->geometryUserPtr);
+template <class Geometry>
+void occluded_callback(const RTCOccludedFunctionNArguments* args) {
+    const auto& geometry = *static_cast<const Geometry*>(args->geometryUserPtr);
     for (unsigned lane = 0; lane < args->N; ++lane) {
         if (args->valid[lane] == 0) continue;
-        if (first_hit_of_lane(sphere, args->ray, args->N, lane)) {
+        if (first_hit_of(geometry, args->primID, ray_of_lane(args->ray, args->N, lane))) {
             RTCRayN_tfar(args->ray, args->N, lane) = -std::numeric_limits<float>::infinity();
         }
     }
 }
 
-// --- Building ---------------------------------------------------------------------------------------------------------
-
-RTCGeometry make_geometry(RTCDevice device, const TriangleMesh& mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree may read 16 bytes at the last vertex, so it gets a copy of its own with room behind.
-    auto* positions = static_cast<Imath::V3f*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Imath::V3f), mesh.position.size()));
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangle.data(), 0,
-                               sizeof(mesh.triangle[0]), mesh.triangle.size());
-    if (positions != nullptr) std::copy(mesh.position.begin(), mesh.position.end(), positions);
+/// Embree only reads through the pointer, and hands it back.
+template <class Geometry>
+RTCGeometry user_geometry(RTCDevice device, const Geometry& shape, std::size_t primitives) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(primitives));
+    rtcSetGeometryUserData(geometry, const_cast<Geometry*>(&shape));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    rtcSetGeometryBoundsFunction(geometry, bounds_callback<Geometry>, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect_callback<Geometry>);
+    rtcSetGeometryOccludedFunction(geometry, occluded_callback<Geometry>);
     return geometry;
 }
 
-RTCGeometry make_geometry(RTCDevice device, PreparedSphere& sphere) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, 1);
-    rtcSetGeometryUserData(geometry, &sphere);
-    rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
-    rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
-    return geometry;
+/// Gives the geometry the positions, without a copy if there is room behind: Embree may read 16 bytes at the last.
+void set_positions(RTCGeometry geometry, const std::vector<Imath::V3f>& position) {
+    if (position.capacity() > position.size()) {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, position.data(), 0,
+                                   sizeof(Imath::V3f), position.size());
+        return;
+    }
+    auto* copy = static_cast<Imath::V3f*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Imath::V3f), position.size()));
+    if (copy != nullptr) std::copy(position.begin(), position.end(), copy);
 }
 
 int widest_native_packet(RTCDevice device) {
@@ -125,8 +171,8 @@ void fill(Packet& packet, int* valid, std::span<const Ray> rays) noexcept {
     }
 }
 
-template <int Width>
-void intersect_packets(RTCScene scene, std::span<const Ray> rays, std::span<Hit> hits) noexcept {
+template <int Width, class HitOf>
+void intersect_packets(RTCScene scene, std::span<const Ray> rays, std::span<Hit> hits, const HitOf& hit_of) noexcept {
     typename EmbreePacket<Width>::RayHit packet;
     alignas(4 * Width) int valid[Width];
     for (std::size_t begin = 0; begin < rays.size(); begin += Width) {
@@ -138,8 +184,8 @@ void intersect_packets(RTCScene scene, std::span<const Ray> rays, std::span<Hit>
         }
         embree_intersect<Width>(valid, scene, packet);
         for (std::size_t lane = 0; lane < chunk.size(); ++lane) {
-            hits[begin + lane] = {packet.ray.tfar[lane], packet.hit.u[lane], packet.hit.v[lane],
-                                  packet.hit.geomID[lane], packet.hit.primID[lane]};
+            hits[begin + lane] = hit_of(packet.ray.tfar[lane], packet.hit.u[lane], packet.hit.v[lane],
+                                        packet.hit.geomID[lane], packet.hit.primID[lane], packet.hit.instID[0][lane]);
         }
     }
 }
@@ -164,34 +210,98 @@ constexpr float kMostCoordinate = 1e18f;
 
 }  // namespace
 
-Accelerator::Accelerator(const std::vector<Shape>& shapes, int threads) : embree_(std::make_unique<Embree>()) {
-    embree_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-    if (embree_->device == nullptr) throw std::runtime_error("Embree failed: no device for this processor");
-    embree_->packet_width = widest_native_packet(embree_->device);
+// --- Building ---------------------------------------------------------------------------------------------------------
 
+RTCScene Accelerator::Embree::new_scene() const {
+    RTCScene made = rtcNewScene(device);
     // Robust: rays that pass through a shared edge of two triangles meet one of them.
-    embree_->scene = rtcNewScene(embree_->device);
-    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_HIGH);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        RTCGeometry geometry = nullptr;
-        if (const auto* mesh = std::get_if<TriangleMesh>(&shapes[i].geometry)) {
-            geometry = make_geometry(embree_->device, *mesh);
-        } else {
-            embree_->spheres.push_back(std::make_unique<PreparedSphere>(std::get<Sphere>(shapes[i].geometry)));
-            geometry = make_geometry(embree_->device, *embree_->spheres.back());
-        }
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(i));
-        rtcReleaseGeometry(geometry);
-    }
-    embree_->check("taking the shapes");
-    rtcCommitScene(embree_->scene);
-    embree_->check("building the hierarchy");
+    rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_HIGH);
+    return made;
+}
 
-    if (shapes.empty()) return;
+void Accelerator::Embree::attach(RTCScene to, RTCGeometry geometry, std::size_t number) const {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
+    rtcReleaseGeometry(geometry);
+}
+
+RTCGeometry Accelerator::Embree::make_geometry(const TriangleMesh& mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    set_positions(geometry, mesh.position);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangle.data(), 0,
+                               sizeof(mesh.triangle[0]), mesh.triangle.size());
+    return geometry;
+}
+
+RTCGeometry Accelerator::Embree::make_geometry(const BilinearMesh& mesh) {
+    if (!mesh.flat) return user_geometry(device, mesh, mesh.patch.size());
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
+    set_positions(geometry, mesh.position);
+    auto* walk = static_cast<std::array<std::uint32_t, 4>*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, sizeof(mesh.patch[0]), mesh.patch.size()));
+    if (walk == nullptr) return geometry;
+    for (const auto& [p00, p10, p01, p11] : mesh.patch) *walk++ = {p00, p10, p11, p01};
+    return geometry;
+}
+
+template <class Quadric>
+RTCGeometry Accelerator::Embree::make_geometry(const Quadric& quadric) {
+    quadrics.push_back(std::make_unique<PreparedQuadric>(prepared(quadric)));
+    return std::visit([&](const auto& shape) { return user_geometry(device, shape, 1); }, *quadrics.back());
+}
+
+RTCGeometry Accelerator::Embree::make_instance(const Instance& instance) const {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, objects[instance.object]);
+    std::array<float, 12> columns{};  // the images of x, y and z, and of the origin
+    for (int row = 0; row < 4; ++row) {
+        for (int axis = 0; axis < 3; ++axis) {
+            columns[static_cast<std::size_t>(3 * row + axis)] =
+                static_cast<float>(instance.world_from_object[row][axis]);
+        }
+    }
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+    return geometry;
+}
+
+Accelerator::Accelerator(const Scene& scene, int threads) : embree_(std::make_unique<Embree>()) {
+    Embree& embree = *embree_;
+    embree.device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
+    if (embree.device == nullptr) throw std::runtime_error("Embree failed: no device for this processor");
+    embree.packet_width = widest_native_packet(embree.device);
+    embree.scene = embree.new_scene();
+
+    const auto geometry_of = [&](const Shape& shape) {
+        return std::visit([&](const auto& geometry) { return embree.make_geometry(geometry); }, shape.geometry);
+    };
+    std::vector<bool> in_object(scene.shapes.size(), false);
+    for (const Object& object : scene.objects) {
+        embree.objects.push_back(embree.new_scene());
+        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
+            in_object[i] = true;
+            embree.attach(embree.objects.back(), geometry_of(scene.shapes[i]), i - object.first_shape);
+        }
+        embree.check("taking the shapes of an object");
+        rtcCommitScene(embree.objects.back());
+    }
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        if (in_object[i]) continue;
+        embree.attach(embree.scene, geometry_of(scene.shapes[i]), embree.shape_of_geometry.size());
+        embree.shape_of_geometry.push_back(static_cast<std::uint32_t>(i));
+    }
+    for (const Instance& instance : scene.instances) {
+        const std::size_t number = embree.shape_of_geometry.size() + embree.first_shape_of_instance.size();
+        embree.attach(embree.scene, embree.make_instance(instance), number);
+        embree.first_shape_of_instance.push_back(scene.objects[instance.object].first_shape);
+    }
+    embree.check("taking the shapes");
+    rtcCommitScene(embree.scene);
+    embree.check("building the hierarchy");
+
+    if (embree.shape_of_geometry.empty() && embree.first_shape_of_instance.empty()) return;
     RTCBounds box{};
-    rtcGetSceneBounds(embree_->scene, &box);
+    rtcGetSceneBounds(embree.scene, &box);
     const Imath::V3f low(box.lower_x, box.lower_y, box.lower_z), high(box.upper_x, box.upper_y, box.upper_z);
     bounds_radius_ = (high - low).length() * 0.5f;
     // Embree leaves out shapes that it cannot hold, without a word, and then has no bounds.
@@ -203,13 +313,14 @@ Accelerator::~Accelerator() = default;
 
 void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
     if (log_ != nullptr) log_->batches.push_back({{rays.begin(), rays.end()}, RayLog::Batch::Query::intersect});
+    const auto hit_of = [&](auto... numbers) { return embree_->hit_of(numbers...); };
     switch (embree_->packet_width) {
         case 16:
-            return intersect_packets<16>(embree_->scene, rays, hits);
+            return intersect_packets<16>(embree_->scene, rays, hits, hit_of);
         case 8:
-            return intersect_packets<8>(embree_->scene, rays, hits);
+            return intersect_packets<8>(embree_->scene, rays, hits, hit_of);
         default:
-            return intersect_packets<4>(embree_->scene, rays, hits);
+            return intersect_packets<4>(embree_->scene, rays, hits, hit_of);
     }
 }
 

@@ -24,10 +24,13 @@ struct Ray {
 struct Hit {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    float t = 0.0f;               ///< along the ray, in lengths of its direction
-    float u = 0.0f, v = 0.0f;     ///< on a triangle: p0 + u (p1 - p0) + v (p2 - p0)
-    std::uint32_t shape = kNone;  ///< index into Scene::shapes, or kNone: nothing was met
-    std::uint32_t primitive = 0;  ///< the triangle of a mesh
+    float t = 0.0f;  ///< along the ray, in lengths of its direction
+    /// On a triangle: p0 + u (p1 - p0) + v (p2 - p0). On a patch its (u, v), or if the mesh is flat those of Embree's
+    /// quadrilateral (see surface.cpp).
+    float u = 0.0f, v = 0.0f;
+    std::uint32_t shape = kNone;     ///< index into Scene::shapes, or kNone: nothing was met
+    std::uint32_t primitive = 0;     ///< the triangle or patch of a mesh
+    std::uint32_t instance = kNone;  ///< index into Scene::instances, or kNone: the shape belongs to no object
 };
 
 /// Every ray that was traced, batch by batch: for replaying them through Embree alone.
@@ -41,9 +44,10 @@ struct RayLog {
 
 class Accelerator {
   public:
-    /// Builds Embree's hierarchy over the shapes on up to `threads` threads (0: all). Keeps a reference to the shapes.
+    /// Builds Embree's hierarchy over the scene's shapes and instances on up to `threads` threads (0: all). The shapes
+    /// must outlive it, and stay where they are.
     /// \throws std::runtime_error if that fails: with Embree's reason, or because coordinates are beyond its range.
-    Accelerator(const std::vector<Shape>& shapes, int threads);
+    Accelerator(const Scene& scene, int threads);
     ~Accelerator();
     Accelerator(const Accelerator&) = delete;
     Accelerator& operator=(const Accelerator&) = delete;
@@ -57,7 +61,7 @@ class Accelerator {
     /// From now on every query is also written to `log` (one thread only); nullptr ends it.
     void record(RayLog* log) noexcept { log_ = log; }
 
-    /// Half the diagonal of the bounding box of all shapes; 0 if there are none.
+    /// Half the diagonal of the bounding box of all that can be seen; 0 if there is nothing.
     [[nodiscard]] float bounds_radius() const noexcept { return bounds_radius_; }
 
   private:

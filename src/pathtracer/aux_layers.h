@@ -22,6 +22,7 @@
 #include "film/film_options.h"
 #include "film/film_tile.h"
 #include "pathtracer/accelerator.h"
+#include "pathtracer/material_albedo.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/scene.h"
 
@@ -32,6 +33,7 @@ struct FirstHit {
     std::uint32_t shape = Hit::kNone;  ///< index into Scene::shapes, or Hit::kNone: nothing
     float distance = 0.0f;             ///< along the ray, in lengths of its direction
     Imath::V3f facing_normal{0.0f};    ///< unit, world space; on the side from which the ray comes
+    TexturePoint place;                ///< if the scene has textures
 };
 
 /// The first hits of camera rays; all spans of one size.
@@ -58,7 +60,7 @@ class AuxLayers {
 
     const Scene& scene_;
     std::optional<std::size_t> albedo_layer_, normal_layer_, depth_layer_;
-    std::vector<std::array<float, 3>> material_albedo_;  // if there is such a layer
+    std::optional<MaterialAlbedos> albedos_;  // if there is such a layer
 };
 
 }  // namespace emulsion

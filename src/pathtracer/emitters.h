@@ -3,36 +3,16 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <variant>
 #include <vector>
 
 #include <Imath/ImathVec.h>
 
-#include "pathtracer/sphere.h"
-#include "pathtracer/surface.h"
+#include "pathtracer/emitter_sample.h"
+#include "pathtracer/emitters_area.h"
 
 namespace emulsion {
-
-/// One way to light a point. The radiance that arrives, unless something is in between, is scale * spectrum.
-struct EmitterSample {
-    Imath::V3f to_light{0.0f};  ///< unit vector
-    Imath::V3f target{0.0f};    ///< where the shadow ray ends; for infinitely far lights unused
-    bool infinite = false;      ///< the shadow ray has no end
-    float pdf = 0.0f;           ///< per steradian; 0: a light without extent, that no ray meets by chance
-    float scale = 0.0f;         ///< 0: this point is not lit by this sample
-};
-
-/// Emits from one triangle of a shape, to the side of the normal or to both.
-struct TriangleEmitter {
-    TriangleGeometry triangle;
-    bool two_sided = false;
-};
-
-/// Emits from a sphere, or from its image under an affine map.
-struct SphereEmitter {
-    PreparedSphere sphere;
-    bool two_sided = false;
-};
 
 /// An intensity at a point: irradiance falls with the squared distance.
 struct PointEmitter {
@@ -46,7 +26,8 @@ struct DistantEmitter {
 /// The same radiance from everywhere.
 struct InfiniteEmitter {};
 
-using EmitterGeometry = std::variant<TriangleEmitter, SphereEmitter, PointEmitter, DistantEmitter, InfiniteEmitter>;
+using EmitterGeometry =
+    std::variant<TriangleEmitter, PatchEmitter, QuadricEmitter, PointEmitter, DistantEmitter, InfiniteEmitter>;
 
 struct Emitter {
     EmitterGeometry geometry;

@@ -60,7 +60,7 @@ void PathIntegrator<Transport>::add_background(PathT& path) const noexcept {
 template <class Transport>
 bool PathIntegrator<Transport>::scatter(PathT& path, std::uint32_t path_index, const Hit& hit, int depth) {
     const auto& shape = scene_.shape(hit.shape);
-    const SurfacePoint point = surface_point(shape, path.ray, hit);
+    const SurfacePoint point = surface_point(scene_, path.ray, hit);
     if (shape.first_emitter) {
         add_emission(path, scene_.emitters()[*shape.first_emitter + hit.primitive], point, shape.two_sided);
     }

@@ -9,9 +9,9 @@
 #include "pathtracer/accelerator.h"
 #include "pathtracer/emitters.h"
 #include "pathtracer/light_powers.h"
+#include "pathtracer/prepared_instance.h"
 #include "pathtracer/prepared_materials.h"
 #include "pathtracer/scene.h"
-#include "pathtracer/sphere.h"
 #include "pathtracer/surface.h"
 
 namespace emulsion {
@@ -25,11 +25,12 @@ class PreparedScene {
 
     /// What shading needs to know of one shape of the scene.
     struct PreparedShape {
-        const TriangleMesh* mesh = nullptr;  ///< or a sphere:
-        std::unique_ptr<PreparedSphere> sphere;
+        const TriangleMesh* mesh = nullptr;        ///< or
+        const BilinearMesh* patches = nullptr;     ///< or
+        std::unique_ptr<PreparedQuadric> quadric;  ///< one of the three
         std::uint32_t material = 0;
         std::optional<std::uint32_t> diffuse_table;  ///< of a diffuse material that is the same everywhere
-        std::optional<std::uint32_t> first_emitter;  ///< that of triangle i is this + i
+        std::optional<std::uint32_t> first_emitter;  ///< that of triangle or patch i is this + i
         bool two_sided = false;
     };
 
@@ -37,6 +38,7 @@ class PreparedScene {
     [[nodiscard]] Accelerator& accelerator() noexcept { return *accelerator_; }
     [[nodiscard]] const Accelerator& accelerator() const noexcept { return *accelerator_; }
     [[nodiscard]] const PreparedShape& shape(std::uint32_t i) const noexcept { return shapes_[i]; }
+    [[nodiscard]] const PreparedInstance& instance(std::uint32_t i) const noexcept { return instances_[i]; }
     [[nodiscard]] const PreparedMaterials& materials() const noexcept { return *materials_; }
     [[nodiscard]] const SpectrumTables& spectra() const noexcept { return spectra_; }
     [[nodiscard]] const std::vector<Emitter>& emitters() const noexcept { return emitters_; }
@@ -46,6 +48,7 @@ class PreparedScene {
 
   private:
     void add_shape(const Shape& shape, LightPowers& powers);
+    void add_area_light(const AreaLight& light, PreparedShape& shape, LightPowers& powers);
     void add_light(const Light& light, LightPowers& powers);
 
     Scene scene_;
@@ -53,18 +56,22 @@ class PreparedScene {
     SpectrumTables spectra_;
     std::unique_ptr<PreparedMaterials> materials_;
     std::vector<PreparedShape> shapes_;
+    std::vector<PreparedInstance> instances_;
     std::vector<Emitter> emitters_;
     std::vector<std::uint32_t> infinite_emitters_;
     EmitterPicker picker_;
 };
 
+/// Where a ray has met anything but a triangle that belongs to no object.
+[[nodiscard]] SurfacePoint surface_point_elsewhere(const PreparedScene& scene, const Ray& ray, const Hit& hit) noexcept;
+
 /// Where a ray has met a shape of the scene. Inlined by force: the integrator is compiled for so many numbers of
 /// wavelengths that the compiler's budget for the file runs out before it.
-[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene::PreparedShape& shape,
-                                                                    const Ray& ray, const Hit& hit) noexcept {
-    if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
-    const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
-    return surface_point(*shape.sphere, point_at(*shape.sphere, along));
+[[nodiscard, gnu::always_inline]] inline SurfacePoint surface_point(const PreparedScene& scene, const Ray& ray,
+                                                                    const Hit& hit) noexcept {
+    const TriangleMesh* const mesh = scene.shape(hit.shape).mesh;
+    if (mesh == nullptr || hit.instance != Hit::kNone) return surface_point_elsewhere(scene, ray, hit);
+    return surface_point(*mesh, TriangleGeometry(*mesh, hit.primitive), hit);
 }
 
 }  // namespace emulsion

@@ -163,16 +163,18 @@ void SceneBuilder::light_source(const SourcePlace&, const ParameterList& list) {
 }
 
 void SceneBuilder::shape(const SourcePlace&, const ParameterList& list) {
-    std::optional<ReadShape> read = read_shape(list, state_.frame, scene_.warnings);
-    if (!read) return;  // warned of
+    for (Geometry& geometry : read_shape(list, state_.frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
+}
+
+void SceneBuilder::add_shape(Geometry geometry) {
     Shape shape;
     shape.material = state_.material;
     if (shape.material < 0) {
         if (default_material_ < 0) default_material_ = add_material(DiffuseMaterial{});
         shape.material = default_material_;
     }
-    if (state_.area_light) shape.area_light = light_of_shape(*state_.area_light, read->light_areas);
-    shape.geometry = std::move(read->geometry);
+    if (state_.area_light) shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
+    shape.geometry = std::move(geometry);
     scene_.shapes.push_back(std::move(shape));
 }
 

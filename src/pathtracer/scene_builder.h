@@ -80,6 +80,7 @@ class SceneBuilder {
     void note_option(const SourcePlace& place, const std::string& directive);
     [[nodiscard]] Material read_material(const ParameterList& list);
     [[nodiscard]] int add_material(Material material);
+    void add_shape(Geometry geometry);
     [[nodiscard]] NamedMaterial& named_slot(const std::string& name);
     void check_named_materials() const;
     void check_mixes() const;

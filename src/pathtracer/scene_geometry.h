@@ -1,8 +1,11 @@
 #pragma once
-// Shapes as a scene describes them.
+// Shapes as a scene describes them: in world space, or in that of the object which they belong to.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -14,27 +17,81 @@
 
 namespace emulsion {
 
-struct TriangleMesh {
-    std::vector<Imath::V3f> position;  ///< world space
-    std::vector<Imath::V3f> normal;    ///< shading normals in world space: one a position, or none
-    std::vector<Imath::V2f> uv;  ///< texture coordinates: one a position; none: (0, 0), (1, 0), (1, 1) at each triangle
+/// Positions that MeshVertices::position should have capacity for beside its own: Embree reads 16 bytes at each of 12,
+/// and is given a copy if there is no room behind the last.
+inline constexpr std::size_t kRoomBehind = 1;
+
+/// What the corners of a mesh's faces share.
+struct MeshVertices {
+    std::vector<Imath::V3f> position;
+    std::vector<Imath::V3f> normal;   ///< shading normals: one a position, or none
+    std::vector<Imath::V2f> uv;       ///< texture coordinates: one a position; none: those of the faces
     std::vector<Imath::V3f> tangent;  ///< the way of growing u, for what is brushed: one a position, or none
-    std::vector<std::array<std::uint32_t, 3>> triangle;
-    /// Geometric normal: (p1 - p0) x (p2 - p0), turned round if set; where `normal` has any, on their side.
+    /// Turns the geometric normal of the faces round; where `normal` has any, it is on their side instead.
     bool flip_normal = false;
 };
 
-/// The sphere of radius `radius` about the origin of object space; world_from_object may be any invertible affine map.
-struct Sphere {
-    Imath::M44d world_from_object;
-    double radius = 1.0;       ///< > 0
-    bool flip_normal = false;  ///< outward normal, turned inward if set
+/// Geometric normal: (p1 - p0) x (p2 - p0). Without uv, the corners have (0, 0), (1, 0) and (1, 1).
+struct TriangleMesh : MeshVertices {
+    std::vector<std::array<std::uint32_t, 3>> triangle;
 };
 
+/// Patches p(u, v) = (1 - v) ((1 - u) p00 + u p10) + v ((1 - u) p01 + u p11). Geometric normal: dp/du x dp/dv.
+/// Without uv, texture coordinates are the patch's own.
+struct BilinearMesh : MeshVertices {
+    std::vector<std::array<std::uint32_t, 4>> patch;  ///< p00 p10 p01 p11
+    /// Set if all patches are flat and convex (is_flat_and_convex in bilinear.h): they are then drawn as two triangles.
+    bool flat = false;
+};
+
+// --- Quadrics, in double precision: world_from_object may be any invertible affine map. The normal of the unmapped shape
+// is turned round if flip_normal is set.
+
+/// The sphere of radius `radius` about the origin, or the part of it that has z in [z_min, z_max] and an angle about z,
+/// from +x over +y, of at most phi_max. Normal: outward.
+struct Sphere {
+    Imath::M44d world_from_object;
+    double radius = 1.0;  ///< > 0
+    bool flip_normal = false;
+    double z_min = -std::numeric_limits<double>::infinity(), z_max = std::numeric_limits<double>::infinity();
+    double phi_max = 2.0 * std::numbers::pi;  ///< in (0, 2 pi]
+};
+
+/// A ring, or a part of it, about the z axis at z = `height`. Normal: +z.
+struct Disk {
+    Imath::M44d world_from_object;
+    double height = 0.0;
+    double radius = 1.0, inner_radius = 0.0;  ///< radius > inner_radius >= 0
+    double phi_max = 2.0 * std::numbers::pi;  ///< in (0, 2 pi]
+    bool flip_normal = false;
+};
+
+/// About the z axis, open at both ends. Normal: outward.
+struct Cylinder {
+    Imath::M44d world_from_object;
+    double radius = 1.0;                      ///< > 0
+    double z_min = -1.0, z_max = 1.0;         ///< z_min < z_max
+    double phi_max = 2.0 * std::numbers::pi;  ///< in (0, 2 pi]
+    bool flip_normal = false;
+};
+
+using Geometry = std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder>;
+
 struct Shape {
-    std::variant<TriangleMesh, Sphere> geometry;
+    Geometry geometry;
     int material = 0;  ///< index into Scene::materials
     std::optional<AreaLight> area_light;
+};
+
+/// Shapes that are seen only where instances of them stand: those of the scene from first_shape up to end_shape.
+struct Object {
+    std::size_t first_shape = 0, end_shape = 0;
+};
+
+/// An object, put somewhere. Its shapes are those of a space of its own; area lights among them do not shine.
+struct Instance {
+    std::size_t object = 0;  ///< index into Scene::objects
+    Imath::M44d world_from_object;
 };
 
 }  // namespace emulsion

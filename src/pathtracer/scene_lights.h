@@ -29,7 +29,7 @@ struct AreaLightSource {
 [[nodiscard]] AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spectra);
 
 /// The light of one shape. A given power is spread over each of its `light_areas`, on both sides if two-sided: see
-/// ReadShape for what pbrt-v4 takes for one light.
+/// light_areas() for what pbrt-v4 takes for one light.
 /// \throws SceneError if the radiance overflows.
 [[nodiscard]] AreaLight light_of_shape(const AreaLightSource& source, std::span<const double> light_areas);
 

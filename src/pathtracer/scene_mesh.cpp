@@ -1,11 +1,14 @@
 #include "pathtracer/scene_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "core/error.h"
+#include "pathtracer/bilinear.h"
+#include "pathtracer/scene_ply.h"
 #include "pathtracer/scene_transform.h"
 
 namespace emulsion {
@@ -14,6 +17,9 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 using Patch = std::array<std::uint32_t, 4>;  // p00 p10 p01 p11
+
+constexpr double kMostFloat = std::numeric_limits<float>::max();
+constexpr std::string_view kHeld = "coordinates that single precision holds";
 
 Imath::V3d point_of(const std::vector<double>& numbers, std::size_t index) noexcept {
     return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
@@ -41,15 +47,13 @@ const SceneParameter* per_vertex(const ParameterList& list, std::string_view nam
 }
 
 /// Texture coordinates, and tangents in world space.
-void read_coordinates(const ParameterList& list, const ShapeFrame& frame, TriangleMesh& mesh) {
+void read_coordinates(const ParameterList& list, const ShapeFrame& frame, MeshVertices& mesh) {
     const std::size_t vertices = mesh.position.size();
-    constexpr double kMost = std::numeric_limits<float>::max();
-    constexpr std::string_view kHeld = "coordinates that single precision holds";
     if (const SceneParameter* const uv = per_vertex(list, "uv", 2, vertices)) {
         mesh.uv.reserve(vertices);
         for (std::size_t i = 0; i < vertices; ++i) {
             const double u = uv->numbers[2 * i], v = uv->numbers[2 * i + 1];
-            if (!(std::abs(u) <= kMost && std::abs(v) <= kMost)) {
+            if (!(std::abs(u) <= kMostFloat && std::abs(v) <= kMostFloat)) {
                 throw SceneError(place_of_value(*uv, 2 * i), fmt::format(R"(({:g}, {:g}) for parameter "uv")", u, v),
                                  std::string(kHeld));
             }
@@ -60,38 +64,44 @@ void read_coordinates(const ParameterList& list, const ShapeFrame& frame, Triang
         mesh.tangent.reserve(vertices);
         for (std::size_t i = 0; i < vertices; ++i) {
             const Imath::V3d world = transform_vector(frame.world_from_object, point_of(tangents->numbers, i));
-            mesh.tangent.push_back(single_precision(world, kMost, kHeld, *tangents, i));
+            mesh.tangent.push_back(single_precision(world, kMostFloat, kHeld, *tangents, i));
         }
     }
 }
 
-/// Positions, normals and coordinates in world space; no triangles yet.
-TriangleMesh read_vertices(const ParameterList& list, const ShapeFrame& frame) {
+bool flips_normal(const ShapeFrame& frame) noexcept {
+    return (frame.orientation == Orientation::reversed) != swaps_handedness(frame.world_from_object);
+}
+
+/// Takes normals to world space, and turns them round with the orientation.
+Imath::M44d matrix_of_normals(const ShapeFrame& frame, const SourcePlace& place) {
+    const std::optional<Imath::M44d> matrix = normal_matrix(frame.world_from_object);
+    if (!matrix) throw SceneError(place, "normals under a transformation without inverse", "another one");
+    return frame.orientation == Orientation::reversed ? *matrix * -1.0 : *matrix;
+}
+
+/// Positions, normals and coordinates in world space.
+MeshVertices read_vertices(const ParameterList& list, const ShapeFrame& frame) {
     const SceneParameter* const positions = find_parameter(list, "P");
     if (positions == nullptr) {
         throw SceneError(list.place, fmt::format("shape \"{}\" without positions", list.owner), "a parameter \"P\"");
     }
     const std::size_t vertices = positions->numbers.size() / 3;
-    TriangleMesh mesh;
-    mesh.position.reserve(vertices);
+    MeshVertices mesh;
+    mesh.flip_normal = flips_normal(frame);
+    mesh.position.reserve(vertices + kRoomBehind);
     for (std::size_t i = 0; i < vertices; ++i) {
         const Imath::V3d world = transform_point(frame.world_from_object, point_of(positions->numbers, i));
         mesh.position.push_back(single_precision(world, kReach, kWithinReach, *positions, i));
     }
     read_coordinates(list, frame, mesh);
-
-    const bool reversed = frame.orientation == Orientation::reversed;
     if (const SceneParameter* const normals = per_vertex(list, "N", 3, vertices)) {
-        const std::optional<Imath::M44d> matrix = normal_matrix(frame.world_from_object);
-        if (!matrix) throw SceneError(normals->place, "normals under a transformation without inverse", "another one");
+        const Imath::M44d matrix = matrix_of_normals(frame, normals->place);
         mesh.normal.reserve(vertices);
         for (std::size_t i = 0; i < vertices; ++i) {
-            const Imath::V3d world = transform_vector(*matrix, point_of(normals->numbers, i)) * (reversed ? -1.0 : 1.0);
-            mesh.normal.push_back(single_precision(world, std::numeric_limits<float>::max(),
-                                                   "coordinates that single precision holds", *normals, i));
+            const Imath::V3d world = transform_vector(matrix, point_of(normals->numbers, i));
+            mesh.normal.push_back(single_precision(world, kMostFloat, kHeld, *normals, i));
         }
-    } else {
-        mesh.flip_normal = reversed != swaps_handedness(frame.world_from_object);
     }
     return mesh;
 }
@@ -123,92 +133,126 @@ std::vector<std::array<std::uint32_t, Corners>> read_faces(const ParameterList& 
     return faces;
 }
 
-/// The cross product of two edges, (p1 - p0) x (p2 - p0): twice the area long.
-Imath::V3d edge_cross(const TriangleMesh& mesh, const Triangle& triangle) noexcept {
-    const Imath::V3d p0(mesh.position[triangle[0]]);
-    return (Imath::V3d(mesh.position[triangle[1]]) - p0).cross(Imath::V3d(mesh.position[triangle[2]]) - p0);
+/// Twice the area of the triangle.
+double double_area(const std::vector<Imath::V3f>& position, const Triangle& triangle) noexcept {
+    const Imath::V3d p0(position[triangle[0]]);
+    return (Imath::V3d(position[triangle[1]]) - p0).cross(Imath::V3d(position[triangle[2]]) - p0).length();
 }
 
-/// Leaves out triangles without area. `face_size` triangles in a row are one face of the file.
-std::optional<ReadShape> finish_mesh(TriangleMesh mesh, const std::vector<Triangle>& triangles, std::size_t face_size,
-                                     const ParameterList& list, std::vector<std::string>& warnings) {
-    std::vector<double> light_areas;
-    mesh.triangle.reserve(triangles.size());
-    light_areas.reserve(triangles.size());
-    for (std::size_t face = 0; face < triangles.size(); face += face_size) {
-        double face_area = 0.0;
-        for (std::size_t i = face; i < face + face_size; ++i) {
-            const double area = 0.5 * edge_cross(mesh, triangles[i]).length();
-            face_area += area;
-            if (area > 0.0) mesh.triangle.push_back(triangles[i]);
+void warn_of_dropped(std::size_t dropped, std::size_t all, std::string_view what, const ParameterList& list,
+                     ShapeReading& reading) {
+    if (dropped == 0) return;
+    reading.warnings.push_back(
+        fmt::format("{}: {} without area, left out: {} of {}", to_text(list.place), what, dropped, all));
+}
+
+void add_triangles(MeshVertices vertices, std::vector<Triangle> triangles, const ParameterList& list,
+                   ShapeReading& reading, std::vector<Geometry>& shapes) {
+    TriangleMesh mesh{std::move(vertices), std::move(triangles)};
+    const std::size_t all = mesh.triangle.size();
+    std::erase_if(mesh.triangle, [&](const Triangle& t) { return !(double_area(mesh.position, t) > 0.0); });
+    warn_of_dropped(all - mesh.triangle.size(), all, "triangles", list, reading);
+    if (!mesh.triangle.empty()) shapes.emplace_back(std::move(mesh));
+}
+
+void add_patches(MeshVertices vertices, std::vector<Patch> patches, const ParameterList& list, ShapeReading& reading,
+                 std::vector<Geometry>& shapes) {
+    BilinearMesh mesh{std::move(vertices), std::move(patches)};
+    const std::size_t all = mesh.patch.size();
+    std::erase_if(mesh.patch, [&](const Patch& p) {
+        return !(double_area(mesh.position, {p[0], p[1], p[3]}) > 0.0) &&
+               !(double_area(mesh.position, {p[0], p[3], p[2]}) > 0.0);
+    });
+    warn_of_dropped(all - mesh.patch.size(), all, "patches", list, reading);
+    mesh.flat = true;
+    for (std::uint32_t i = 0; mesh.flat && i < mesh.patch.size(); ++i) {
+        mesh.flat = is_flat_and_convex(BilinearPatch(mesh, i));
+    }
+    if (!mesh.patch.empty()) shapes.emplace_back(std::move(mesh));
+}
+
+// --- PLY
+
+/// `v` mapped, or an error about vertex number `index`.
+Imath::V3f mapped(const Imath::V3d& world, double most, std::string_view expected, const SceneParameter& file,
+                  std::size_t index) {
+    const bool fits = std::abs(world.x) <= most && std::abs(world.y) <= most && std::abs(world.z) <= most;
+    if (fits) return Imath::V3f(world);
+    throw SceneError(file.first_value,
+                     fmt::format("({:g}, {:g}, {:g}) in world space for vertex {} of {}", world.x, world.y, world.z,
+                                 index, quote(file.strings.front())),
+                     std::string(expected));
+}
+
+/// Moves positions and normals of a file into world space, where they lie.
+MeshVertices to_world(PlyMesh& ply, const ShapeFrame& frame, const SceneParameter& file) {
+    for (std::size_t i = 0; i < ply.position.size(); ++i) {
+        const Imath::V3d world = transform_point(frame.world_from_object, Imath::V3d(ply.position[i]));
+        ply.position[i] = mapped(world, kReach, kWithinReach, file, i);
+    }
+    if (!ply.normal.empty()) {
+        const Imath::M44d matrix = matrix_of_normals(frame, file.place);
+        for (std::size_t i = 0; i < ply.normal.size(); ++i) {
+            ply.normal[i] = mapped(transform_vector(matrix, Imath::V3d(ply.normal[i])), kMostFloat, kHeld, file, i);
         }
-        light_areas.resize(mesh.triangle.size(), face_area);
     }
-    const std::size_t dropped = triangles.size() - mesh.triangle.size();
-    if (dropped > 0) {
-        warnings.push_back(fmt::format("{}: triangles without area, left out: {} of {}", to_text(list.place), dropped,
-                                       triangles.size()));
-    }
-    if (mesh.triangle.empty()) return std::nullopt;
-    return ReadShape{std::move(mesh), std::move(light_areas)};
+    return {std::move(ply.position), std::move(ply.normal), std::move(ply.uv), {}, flips_normal(frame)};
 }
 
-/// Whether the four corners lie in one plane, to 1e-5 of the longer diagonal.
-bool is_flat(const std::array<Imath::V3d, 4>& corner) noexcept {
-    const Imath::V3d across = corner[2] - corner[0], back = corner[3] - corner[1];
-    const double diagonal = std::max(across.length(), back.length());
-    const Imath::V3d normal = across.cross(back);
-    const double length = normal.length();
-    return length == 0.0 || std::abs(normal.dot(corner[1] - corner[0])) <= 1e-5 * diagonal * length;
-}
-
-/// Whether a walk round the four corners never turns the other way. Corners may coincide, or all lie in one line.
-bool is_convex(const std::array<Imath::V3d, 4>& corner) noexcept {
-    const Imath::V3d normal = (corner[2] - corner[0]).cross(corner[3] - corner[1]);
-    const bool no_area = normal.dot(normal) == 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Imath::V3d in = corner[(i + 1) % 4] - corner[i], out = corner[(i + 2) % 4] - corner[(i + 1) % 4];
-        const Imath::V3d turn = in.cross(out);
-        // A bow tie may have no area on the whole, and straight corners may seem to turn by their rounding.
-        const double slack = 1e-6 * in.length() * out.length();
-        if (no_area ? turn.length() > slack : turn.dot(normal) < -slack * normal.length()) return false;
+PlyMesh read_file(const SceneParameter& file, ShapeReading& reading) {
+    const std::string& name = file.strings.front();
+    const std::string bytes = reading.files.read(file.first_value, name);
+    try {
+        return read_ply(reading.files.path_of(name), bytes);
+    } catch (const IoError& error) {
+        throw SceneError(file.first_value, fmt::format("the file {} ({})", quote(name), error.reason()),
+                         "a PLY file that can be read");
     }
-    return true;
-}
-
-void check_patch(const TriangleMesh& mesh, const Patch& patch, std::size_t number, const ParameterList& list) {
-    const auto at = [&](std::size_t i) { return Imath::V3d(mesh.position[patch[i]]); };
-    const std::array<Imath::V3d, 4> round = {at(0), at(1), at(3), at(2)};
-    const bool flat = is_flat(round);
-    if (flat && is_convex(round)) return;
-    throw SceneError(
-        list.place,
-        fmt::format("patch {} of shape \"bilinearmesh\", which is not {}", number, flat ? "convex" : "flat"),
-        "a flat convex one (others are known to pbrt-v4 and not yet supported here)");
 }
 
 }  // namespace
 
-std::optional<ReadShape> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                            std::vector<std::string>& warnings) {
-    TriangleMesh mesh = read_vertices(list, frame);
-    const std::vector<Triangle> triangles = read_faces<3>(list, mesh.position.size());
-    return finish_mesh(std::move(mesh), triangles, 1, list, warnings);
+std::vector<Geometry> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame, ShapeReading& reading) {
+    MeshVertices vertices = read_vertices(list, frame);
+    std::vector<Triangle> triangles = read_faces<3>(list, vertices.position.size());
+    std::vector<Geometry> shapes;
+    add_triangles(std::move(vertices), std::move(triangles), list, reading, shapes);
+    return shapes;
 }
 
-std::optional<ReadShape> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                            std::vector<std::string>& warnings) {
-    TriangleMesh mesh = read_vertices(list, frame);
-    const std::vector<Patch> patches = read_faces<4>(list, mesh.position.size());
-    std::vector<Triangle> triangles;
-    triangles.reserve(2 * patches.size());
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-        const auto& [p00, p10, p01, p11] = patches[i];
-        check_patch(mesh, patches[i], i, list);
-        triangles.push_back({p00, p10, p11});
-        triangles.push_back({p00, p11, p01});
+std::vector<Geometry> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame, ShapeReading& reading) {
+    MeshVertices vertices = read_vertices(list, frame);
+    std::vector<Patch> patches = read_faces<4>(list, vertices.position.size());
+    std::vector<Geometry> shapes;
+    add_patches(std::move(vertices), std::move(patches), list, reading, shapes);
+    return shapes;
+}
+
+std::vector<Geometry> read_ply_mesh(const ParameterList& list, const ShapeFrame& frame, ShapeReading& reading) {
+    const SceneParameter* const file = find_parameter(list, "filename");
+    if (file == nullptr) {
+        throw SceneError(list.place, fmt::format("shape \"{}\" without a file", list.owner),
+                         "a parameter \"filename\"");
     }
-    return finish_mesh(std::move(mesh), triangles, 2, list, warnings);
+    PlyMesh ply = read_file(*file, reading);
+    const auto warn_of = [&](std::size_t count, std::string_view what) {
+        if (count == 0) return;
+        reading.warnings.push_back(
+            fmt::format("{}: {} {}: {}", to_text(file->first_value), quote(file->strings.front()), what, count));
+    };
+    warn_of(ply.other_faces, "has faces of neither three nor four corners, left out");
+    warn_of(ply.bad_normals, "has normals that are no numbers, taken as unknown");
+
+    std::vector<Geometry> shapes;
+    MeshVertices vertices = to_world(ply, frame, *file);
+    const bool has_triangles = !ply.triangle.empty(), has_patches = !ply.patch.empty();
+    if (!has_triangles && !has_patches) warn_of(1, "has no faces; shapes without any");
+    if (has_patches) {
+        MeshVertices own = has_triangles ? vertices : std::move(vertices);
+        add_patches(std::move(own), std::move(ply.patch), list, reading, shapes);
+    }
+    if (has_triangles) add_triangles(std::move(vertices), std::move(ply.triangle), list, reading, shapes);
+    return shapes;
 }
 
 }  // namespace emulsion

@@ -1,7 +1,6 @@
 #pragma once
-// The two mesh shapes: triangles, and flat bilinear patches cut into triangles.
+// The mesh shapes: triangles and bilinear patches, from the scene's text and from PLY files.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +8,12 @@
 
 namespace emulsion {
 
-/// As read_shape for "trianglemesh" and "bilinearmesh", the list checked already.
-[[nodiscard]] std::optional<ReadShape> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                                          std::vector<std::string>& warnings);
-[[nodiscard]] std::optional<ReadShape> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame,
-                                                          std::vector<std::string>& warnings);
+/// As read_shape for "trianglemesh", "bilinearmesh" and "plymesh", the list checked already.
+[[nodiscard]] std::vector<Geometry> read_triangle_mesh(const ParameterList& list, const ShapeFrame& frame,
+                                                       ShapeReading& reading);
+[[nodiscard]] std::vector<Geometry> read_bilinear_mesh(const ParameterList& list, const ShapeFrame& frame,
+                                                       ShapeReading& reading);
+[[nodiscard]] std::vector<Geometry> read_ply_mesh(const ParameterList& list, const ShapeFrame& frame,
+                                                  ShapeReading& reading);
 
 }  // namespace emulsion

@@ -36,20 +36,30 @@ constexpr auto kBilinearMesh = std::to_array<ParameterSpec>({
     {.name = "emissionfilename", .support = pbrt_only},
     kAlpha,
 });
-constexpr auto kSphere = std::to_array<ParameterSpec>({{.name = "radius", .range = positive},
-                                                       {.name = "zmin"},
-                                                       {.name = "zmax"},
-                                                       {.name = "phimax", .only = 360.0},
-                                                       kAlpha});
+constexpr auto kPlyMesh = std::to_array<ParameterSpec>({
+    {.name = "filename", .kind = string},
+    {.name = "displacement", .support = pbrt_only},
+    {.name = "edgelength", .support = pbrt_only},
+    kAlpha,
+});
+constexpr auto kSphere = std::to_array<ParameterSpec>(
+    {{.name = "radius", .range = positive}, {.name = "zmin"}, {.name = "zmax"}, {.name = "phimax"}, kAlpha});
+constexpr auto kDisk = std::to_array<ParameterSpec>({{.name = "radius", .range = positive},
+                                                     {.name = "innerradius", .range = not_negative},
+                                                     {.name = "height"},
+                                                     {.name = "phimax"},
+                                                     kAlpha});
+constexpr auto kCylinder = std::to_array<ParameterSpec>(
+    {{.name = "radius", .range = positive}, {.name = "zmin"}, {.name = "zmax"}, {.name = "phimax"}, kAlpha});
 constexpr auto kShapes = std::to_array<Implementation>({
     {"trianglemesh", kTriangleMesh},
     {"bilinearmesh", kBilinearMesh},
+    {"plymesh", kPlyMesh},
     {"sphere", kSphere},
+    {"disk", kDisk},
+    {"cylinder", kCylinder},
     {"curve", {}, pbrt_only},
-    {"cylinder", {}, pbrt_only},
-    {"disk", {}, pbrt_only},
     {"loopsubdiv", {}, pbrt_only},
-    {"plymesh", {}, pbrt_only},
 });
 constexpr ImplementationTable kShapeTable = {"shape", kShapes};
 

@@ -5,18 +5,17 @@
 // Without N that is the cross product of the world-space edges, turned round if ReverseOrientation or a transformation
 // that swaps handedness (but not both) says so; with N it is the side that the interpolated normal points to.
 //
-// A sphere's is outward, turned by ReverseOrientation alone, whatever the transformation. This departs from pbrt-v4
-// under a mirroring one: there, a ray that meets the sphere finds its normal turned once more, while light sampling
-// does not, so that the two disagree about which side is lit; ours holds with the latter everywhere.
+// That of a sphere or a cylinder is outward, and that of a disk +z, turned by the same rule. pbrt-v4 has that rule for
+// the points that rays find, but leaves a mirroring transformation out when it samples such a shape as a light; an
+// emitter must have one lit side, and PreparedScene gives it the latter's.
 
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
 
-#include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
+#include "pathtracer/scene_geometry.h"
 #include "pathtracer/scene_parameters.h"
 
 namespace emulsion {
@@ -28,21 +27,21 @@ struct ShapeFrame {
     Orientation orientation = Orientation::as_given;
 };
 
-using Geometry = std::variant<TriangleMesh, Sphere>;
-
-struct ReadShape {
-    Geometry geometry;
-    /// Of each triangle, or of the sphere: the area over which an AreaLightSource spreads its `power`. As in pbrt-v4 a
-    /// triangle or a bilinear patch is a light of its own with all of the power, so that a mesh of n triangles gives n
-    /// times as much; and the area of a sphere is taken before the transformation.
-    std::vector<double> light_areas;
+/// What reading needs and leaves behind.
+struct ShapeReading {
+    SceneFiles& files;
+    std::vector<std::string>& warnings;
 };
 
-/// Triangles without area are left out and counted in a warning; if none is left, the shape is unset.
-///
-/// A bilinear patch becomes two triangles: it must be flat (to 1e-5 of its diagonal) and convex.
+/// One shape; two for a file of triangles and quads. Triangles and patches without area are left out and counted in a
+/// warning; if nothing is left, there is no shape. A bilinear mesh is marked as flat if all its patches are.
 /// \throws SceneError naming the token at fault.
-[[nodiscard]] std::optional<ReadShape> read_shape(const ParameterList& list, const ShapeFrame& frame,
-                                                  std::vector<std::string>& warnings);
+[[nodiscard]] std::vector<Geometry> read_shape(const ParameterList& list, const ShapeFrame& frame,
+                                               ShapeReading reading);
+
+/// Of each triangle or patch, or of the quadric: the area over which an AreaLightSource spreads its `power`. As in
+/// pbrt-v4 a triangle or a bilinear patch is a light of its own with all of the power, so that a mesh of n triangles
+/// gives n times as much; and the area of a quadric is taken before the transformation.
+[[nodiscard]] std::vector<double> light_areas(const Geometry& geometry);
 
 }  // namespace emulsion

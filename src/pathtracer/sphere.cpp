@@ -10,23 +10,7 @@ namespace {
 
 using Imath::V3d;
 
-/// M's linear part applied to a vector, in Imath's row-vector convention.
-V3d transform_vector(const Imath::M44d& m, const V3d& v) noexcept {
-    V3d out;
-    m.multDirMatrix(v, out);
-    return out;
-}
-
-/// n times the inverse transpose of world_from_object: a normal in world space, not normalised.
-V3d transform_normal(const Imath::M44d& object_from_world, const V3d& n) noexcept {
-    const auto& m = object_from_world.x;
-    return {m[0][0] * n.x + m[0][1] * n.y + m[0][2] * n.z, m[1][0] * n.x + m[1][1] * n.y + m[1][2] * n.z,
-            m[2][0] * n.x + m[2][1] * n.y + m[2][2] * n.z};
-}
-
-double linear_determinant(const Imath::M44d& m) noexcept {
-    return V3d(m[0][0], m[0][1], m[0][2]).dot(V3d(m[1][0], m[1][1], m[1][2]).cross(V3d(m[2][0], m[2][1], m[2][2])));
-}
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// The common length of the images of the axes if they are also at right angles: a similarity.
 std::optional<double> similarity_scale(const Imath::M44d& m) noexcept {
@@ -39,34 +23,31 @@ std::optional<double> similarity_scale(const Imath::M44d& m) noexcept {
     return std::nullopt;
 }
 
-float largest_coordinate(const Imath::Box3f& box) noexcept {
-    float largest = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-        largest = std::max({largest, std::abs(box.min[axis]), std::abs(box.max[axis])});
-    }
-    return largest;
+/// Whether a point of the whole sphere, in object space, is on the part that is there.
+bool is_on_part(const PreparedSphere& sphere, const V3d& p) noexcept {
+    return p.z >= sphere.z_min && p.z <= sphere.z_max && angle_about_z(p) <= sphere.phi_max;
 }
 
 }  // namespace
 
 PreparedSphere::PreparedSphere(const Sphere& sphere)
-    : world_from_object(sphere.world_from_object),
-      object_from_world(sphere.world_from_object.inverse(true)),
+    : QuadricFrame(sphere.world_from_object, sphere.flip_normal),
       radius(sphere.radius),
-      flip_normal(sphere.flip_normal),
-      extent(largest_coordinate(bounds(*this))) {
+      z_min(std::max(sphere.z_min, -sphere.radius)),
+      z_max(std::min(sphere.z_max, sphere.radius)),
+      phi_max(sphere.phi_max),
+      whole(z_min == -radius && z_max == radius && phi_max >= kTurn),
+      object_area(radius * (z_max - z_min) * phi_max) {
+    if (!whole) return;
     if (const auto scale = similarity_scale(world_from_object)) {
         world_centre = world_from_object.translation();
         world_radius = radius * *scale;
-        world_area = 4.0 * std::numbers::pi * world_radius * world_radius;
     }
 }
 
 std::optional<double> first_hit(const PreparedSphere& sphere, const Imath::V3f& origin, const Imath::V3f& direction,
                                 double t_min, double t_max) noexcept {
-    V3d o;
-    sphere.object_from_world.multVecMatrix(V3d(origin), o);
-    const V3d d = transform_vector(sphere.object_from_world, V3d(direction));
+    const V3d o = sphere.object_point(V3d(origin)), d = sphere.object_vector(V3d(direction));
 
     // Measured from the point of the line closest to the centre, the roots lie symmetrically, and no digits cancel.
     const double a = d.length2();
@@ -76,28 +57,30 @@ std::optional<double> first_hit(const PreparedSphere& sphere, const Imath::V3f& 
     if (squared < 0.0) return std::nullopt;
     const double half_chord = std::sqrt(squared / a);
     for (const double t : {t_closest - half_chord, t_closest + half_chord}) {
-        if (t > t_min && t < t_max) return t;
+        if (t > t_min && t < t_max && (sphere.whole || is_on_part(sphere, o + t * d))) return t;
     }
     return std::nullopt;
 }
 
-SpherePoint point_towards(const PreparedSphere& sphere, const Imath::V3d& direction) noexcept {
+QuadricPoint point_towards(const PreparedSphere& sphere, const V3d& direction) noexcept {
     const V3d outward = direction.normalized();
-    SpherePoint point;
-    sphere.world_from_object.multVecMatrix(sphere.radius * outward, point.position);
-    const V3d normal = transform_normal(sphere.object_from_world, outward);
-    point.area_stretch = std::abs(linear_determinant(sphere.world_from_object)) * normal.length();
-    point.normal = (sphere.flip_normal ? -1.0 : 1.0) * normal.normalized();
-    return point;
+    return sphere.world_point(sphere.radius * outward, outward);
 }
 
-SpherePoint point_at(const PreparedSphere& sphere, const Imath::V3d& near_surface) noexcept {
-    V3d from_centre;
-    sphere.object_from_world.multVecMatrix(near_surface, from_centre);
-    return point_towards(sphere, from_centre);
+QuadricPoint point_at(const PreparedSphere& sphere, const V3d& near_surface) noexcept {
+    return point_towards(sphere, sphere.object_point(near_surface));
+}
+
+QuadricPoint sample_area(const PreparedSphere& sphere, std::array<float, 2> u) noexcept {
+    // Slices of one thickness have one area: Archimedes, "On the Sphere and Cylinder".
+    const double z = (sphere.z_max + static_cast<double>(u[0]) * (sphere.z_min - sphere.z_max)) / sphere.radius;
+    const double ring = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
+    const double phi = static_cast<double>(u[1]) * sphere.phi_max;
+    return point_towards(sphere, {ring * std::cos(phi), ring * std::sin(phi), z});
 }
 
 Imath::Box3f bounds(const PreparedSphere& sphere) noexcept {
+    // Of a part, that of the whole: its rays are turned away one by one.
     // Along world axis j an ellipsoid reaches as far as the length of column j of the linear part.
     const auto& m = sphere.world_from_object.x;
     Imath::Box3f box;
@@ -109,6 +92,20 @@ Imath::Box3f bounds(const PreparedSphere& sphere) noexcept {
         box.max[j] = static_cast<float>(m[3][j] + reach + margin);
     }
     return box;
+}
+
+Imath::V2f uv_at(const PreparedSphere& sphere, const V3d& position) noexcept {
+    const V3d p = sphere.object_point(position);
+    const auto theta_of = [](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
+    const double theta = theta_of(p.z / p.length());
+    const double bottom = theta_of(sphere.z_min / sphere.radius), top = theta_of(sphere.z_max / sphere.radius);
+    return {static_cast<float>(angle_about_z(p) / sphere.phi_max),
+            static_cast<float>((theta - bottom) / (top - bottom))};
+}
+
+V3d tangent_at(const PreparedSphere& sphere, const V3d& position) noexcept {
+    const V3d p = sphere.object_point(position);
+    return sphere.world_vector({-p.y, p.x, 0.0});
 }
 
 }  // namespace emulsion

@@ -1,21 +1,26 @@
 #pragma once
 // From a hit to the point of the surface, and from there to the next ray.
 
+#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <Imath/ImathVec.h>
 
 #include "pathtracer/accelerator.h"
-#include "pathtracer/scene.h"
-#include "pathtracer/sphere.h"
+#include "pathtracer/quadrics.h"
+#include "pathtracer/scene_geometry.h"
 #include "pathtracer/vector_math.h"
 
 namespace emulsion {
 
-/// How far, relative to the largest coordinate nearby, rays start above a surface: 32 roundings of single precision,
-/// four times the error of an interpolated position.
-inline constexpr float kRelativeOffset = 0x1p-19f;
+/// How far rays start above a surface, relative to the largest coordinate of the point: a rounding of the point and one
+/// of the ray's origin, each of half a unit in the last place and at most sqrt(3) of them along the normal, and as much
+/// again for safety.
+inline constexpr float kPositionOffset = 0x1p-21f;
+
+/// The same relative to the extent of a flat face: Embree subtracts the ray's origin from the corners in single
+/// precision, and so misjudges on which side of the face's plane it lies.
+inline constexpr float kFaceOffset = 0x1p-21f;
 
 struct SurfacePoint {
     Imath::V3f position;
@@ -29,50 +34,66 @@ struct SurfacePoint {
     }
 };
 
-/// A triangle's corners, and what follows from them.
+/// A triangle's corners, and what follows from them. In double precision: a point that is interpolated between corners
+/// far away would leave the plane by their rounding, and not by its own.
 struct TriangleGeometry {
-    Imath::V3f p0, edge1, edge2;
-    Imath::V3f normal;    ///< unit; on the side that area lights emit to
-    float area = 0.0f;    ///< >= 0
-    float offset = 0.0f;  ///< as in SurfacePoint
+    Imath::V3d p0, edge1, edge2;
+    Imath::V3f normal;   ///< unit; turned round if the mesh says so
+    double area = 0.0;   ///< >= 0
+    float extent = 0.0;  ///< the largest coordinate of an edge, in magnitude
 
     TriangleGeometry(const TriangleMesh& mesh, std::uint32_t triangle) noexcept {
         const auto& corner = mesh.triangle[triangle];
-        p0 = mesh.position[corner[0]];
-        edge1 = mesh.position[corner[1]] - p0;
-        edge2 = mesh.position[corner[2]] - p0;
-        // The fourth power of a length leaves single precision for coordinates of 1e10 and of 1e-10.
-        const Imath::V3d cross = Imath::V3d(edge1).cross(Imath::V3d(edge2));
+        p0 = Imath::V3d(mesh.position[corner[0]]);
+        edge1 = Imath::V3d(mesh.position[corner[1]]) - p0;
+        edge2 = Imath::V3d(mesh.position[corner[2]]) - p0;
+        const Imath::V3d cross = edge1.cross(edge2);
         const double length = std::sqrt(cross.dot(cross));
-        area = static_cast<float>(0.5 * length);
+        area = 0.5 * length;
         // A triangle without area is never met; its normal must be a number all the same.
         normal = length > 0.0 ? Imath::V3f(cross * ((mesh.flip_normal ? -1.0 : 1.0) / length)) : Imath::V3f(0, 0, 1);
-        const float extent = std::max({max_abs_component(p0), max_abs_component(mesh.position[corner[1]]),
-                                       max_abs_component(mesh.position[corner[2]])});
-        offset = kRelativeOffset * extent;
+        extent = std::max(max_abs_component(Imath::V3f(edge1)), max_abs_component(Imath::V3f(edge2)));
     }
-    [[nodiscard]] Imath::V3f at(float u, float v) const noexcept { return p0 + edge1 * u + edge2 * v; }
+    [[nodiscard]] Imath::V3d at(float u, float v) const noexcept {
+        return p0 + edge1 * static_cast<double>(u) + edge2 * static_cast<double>(v);
+    }
 };
 
-/// With normals at the corners, their interpolation also says on which side the geometric normal is, as in pbrt-v4.
+/// Gives a point the shading normal that was interpolated between a face's corners, unless that is 0; it also says on
+/// which side the geometric normal is, as in pbrt-v4.
+inline void set_shading_normal(SurfacePoint& point, const Imath::V3f& interpolated) noexcept {
+    const float length2 = interpolated.dot(interpolated);
+    if (!(length2 > 0.0f)) return;
+    point.shading_normal = interpolated * (1.0f / std::sqrt(length2));
+    if (point.geometric_normal.dot(interpolated) < 0.0f) point.geometric_normal = -point.geometric_normal;
+}
+
 [[nodiscard]] inline SurfacePoint surface_point(const TriangleMesh& mesh, const TriangleGeometry& triangle,
                                                 const Hit& hit) noexcept {
-    SurfacePoint point{triangle.at(hit.u, hit.v), triangle.normal, triangle.normal, triangle.offset};
+    const Imath::V3f position(triangle.at(hit.u, hit.v));
+    SurfacePoint point{position, triangle.normal, triangle.normal,
+                       kPositionOffset * max_abs_component(position) + kFaceOffset * triangle.extent};
     if (!mesh.normal.empty()) {
         const auto& corner = mesh.triangle[hit.primitive];
-        const Imath::V3f interpolated = mesh.normal[corner[0]] * (1.0f - hit.u - hit.v) +
-                                        mesh.normal[corner[1]] * hit.u + mesh.normal[corner[2]] * hit.v;
-        if (interpolated.dot(interpolated) > 0.0f) {
-            point.shading_normal = unit(interpolated);
-            if (point.geometric_normal.dot(interpolated) < 0.0f) point.geometric_normal = -point.geometric_normal;
-        }
+        set_shading_normal(point, mesh.normal[corner[0]] * (1.0f - hit.u - hit.v) + mesh.normal[corner[1]] * hit.u +
+                                      mesh.normal[corner[2]] * hit.v);
     }
     return point;
 }
 
-[[nodiscard]] inline SurfacePoint surface_point(const PreparedSphere& sphere, const SpherePoint& point) noexcept {
-    const Imath::V3f normal(point.normal);
-    return {Imath::V3f(point.position), normal, normal, kRelativeOffset * sphere.extent};
+/// The (u, v) of a patch at a hit: of a mesh that is not flat, the hit's own.
+[[nodiscard]] Imath::V2d patch_uv(const BilinearMesh& mesh, const Hit& hit) noexcept;
+
+/// At a hit of a patch.
+[[nodiscard]] SurfacePoint surface_point(const BilinearMesh& mesh, const Hit& hit) noexcept;
+
+/// At (u, v) of a patch.
+[[nodiscard]] SurfacePoint surface_point(const BilinearMesh& mesh, std::uint32_t patch, const Imath::V2d& uv) noexcept;
+
+/// Quadrics are intersected in double precision: only the point itself and the ray's origin are rounded.
+[[nodiscard]] inline SurfacePoint surface_point(const QuadricPoint& point) noexcept {
+    const Imath::V3f position(point.position), normal(point.normal);
+    return {position, normal, normal, kPositionOffset * max_abs_component(position)};
 }
 
 }  // namespace emulsion

@@ -1,9 +1,10 @@
 #include "pathtracer/surface_coordinates.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <variant>
+
+#include "pathtracer/bilinear.h"
 
 namespace emulsion {
 
@@ -42,38 +43,61 @@ V3d tangent_of(const TriangleMesh& mesh, const Hit& hit) noexcept {
     return (edge1 * d2.y - edge2 * d1.y) * (1.0 / determinant);
 }
 
-V3d object_point(const PreparedSphere& sphere, const SurfacePoint& point) noexcept {
-    V3d in_object;
-    sphere.object_from_world.multVecMatrix(V3d(point.position), in_object);
-    return in_object;
+/// pbrt-v4's dp/ds of a patch: with texture coordinates (s, t) of its own, the sum of what du/ds and dv/ds give, each
+/// taken for the inverse of ds/du and ds/dv.
+V3d tangent_of(const BilinearMesh& mesh, const Hit& hit) noexcept {
+    const BilinearPatch patch(mesh, hit.primitive);
+    const Imath::V2d uv = patch_uv(mesh, hit);
+    const V3d du = patch.dp_du(uv.y), dv = patch.dp_dv(uv.x);
+    if (mesh.uv.empty()) return du;
+    const auto& corner = mesh.patch[hit.primitive];
+    const auto s = [&](std::size_t i) { return static_cast<double>(mesh.uv[corner[i]].x); };
+    const double mixed = s(0) - s(1) - s(2) + s(3);
+    const double ds_du = s(1) - s(0) + uv.y * mixed, ds_dv = s(2) - s(0) + uv.x * mixed;
+    const auto inverse = [](double x) { return std::abs(x) < 1e-8 ? 0.0 : 1.0 / x; };
+    const V3d along = du * inverse(ds_du) + dv * inverse(ds_dv);
+    return along == V3d(0.0) ? du : along;
 }
 
-V2f uv_of(const PreparedSphere& sphere, const SurfacePoint& point) noexcept {
-    const V3d p = object_point(sphere, point);
-    const double phi = std::atan2(p.y, p.x);
-    const double theta = std::acos(std::clamp(p.z / p.length(), -1.0, 1.0));
-    const double turn = 2.0 * std::numbers::pi;
-    return {static_cast<float>((phi < 0.0 ? phi + turn : phi) / turn),
-            static_cast<float>(1.0 - theta * std::numbers::inv_pi)};
+V2f uv_of(const BilinearMesh& mesh, const Hit& hit) noexcept {
+    const V2f uv(patch_uv(mesh, hit));
+    if (mesh.uv.empty()) return uv;
+    const auto& corner = mesh.patch[hit.primitive];
+    return (mesh.uv[corner[0]] * (1.0f - uv.x) + mesh.uv[corner[1]] * uv.x) * (1.0f - uv.y) +
+           (mesh.uv[corner[2]] * (1.0f - uv.x) + mesh.uv[corner[3]] * uv.x) * uv.y;
 }
 
-V3d tangent_of(const PreparedSphere& sphere, const SurfacePoint& point) noexcept {
-    const V3d p = object_point(sphere, point);
-    V3d along;
-    sphere.world_from_object.multDirMatrix(V3d(-p.y, p.x, 0.0), along);
-    return along;
+/// In the space of the shape.
+V2f uv_of(const PreparedScene::PreparedShape& shape, const Hit& hit, const SurfacePoint& point) noexcept {
+    if (shape.mesh != nullptr) return uv_of(*shape.mesh, hit);
+    if (shape.patches != nullptr) return uv_of(*shape.patches, hit);
+    return std::visit([&](const auto& quadric) { return uv_at(quadric, V3d(point.position)); }, *shape.quadric);
+}
+
+/// The same of dp/du, of any length; 0 if there is none.
+V3d tangent_of(const PreparedScene::PreparedShape& shape, const Hit& hit, const SurfacePoint& point) noexcept {
+    if (shape.mesh != nullptr) return tangent_of(*shape.mesh, hit);
+    if (shape.patches != nullptr) return tangent_of(*shape.patches, hit);
+    return std::visit([&](const auto& quadric) { return tangent_at(quadric, V3d(point.position)); }, *shape.quadric);
 }
 
 }  // namespace
 
 V2f surface_uv(const PreparedScene& scene, const Hit& hit, const SurfacePoint& point) noexcept {
     const auto& shape = scene.shape(hit.shape);
-    return shape.mesh != nullptr ? uv_of(*shape.mesh, hit) : uv_of(*shape.sphere, point);
+    if (hit.instance == Hit::kNone) return uv_of(shape, hit, point);
+    return uv_of(shape, hit, object_point(scene.instance(hit.instance), point));
 }
 
 V3f surface_tangent(const PreparedScene& scene, const Hit& hit, const SurfacePoint& point) noexcept {
     const auto& shape = scene.shape(hit.shape);
-    const V3d along = shape.mesh != nullptr ? tangent_of(*shape.mesh, hit) : tangent_of(*shape.sphere, point);
+    V3d along;
+    if (hit.instance == Hit::kNone) {
+        along = tangent_of(shape, hit, point);
+    } else {
+        const PreparedInstance& instance = scene.instance(hit.instance);
+        instance.world_from_object.multDirMatrix(tangent_of(shape, hit, object_point(instance, point)), along);
+    }
     const V3d normal(point.shading_normal);
     const V3d in_surface = along - normal * along.dot(normal);
     const double length = in_surface.length();

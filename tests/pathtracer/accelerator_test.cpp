@@ -13,9 +13,10 @@ namespace emulsion::testing {
 namespace {
 
 TEST(Accelerator, FindsTheFirstHitWithItsCoordinates) {
-    const std::vector<Shape> shapes = {{parallelogram({-1, -1, 3}, {2, 0, 0}, {0, 2, 0}), 0, {}},
-                                       {parallelogram({-1, -1, 2}, {2, 0, 0}, {0, 2, 0}), 0, {}}};
-    const Accelerator accelerator(shapes, 1);
+    Scene scene;
+    scene.shapes = {{parallelogram({-1, -1, 3}, {2, 0, 0}, {0, 2, 0}), 0, {}},
+                    {parallelogram({-1, -1, 2}, {2, 0, 0}, {0, 2, 0}), 0, {}}};
+    const Accelerator accelerator(scene, 1);
     // More rays than any packet is wide, and no multiple of it.
     std::vector<Ray> rays(37, Ray{{0.5f, -0.25f, 0}, {0, 0, 1}});
     rays[20].direction = {0, 0, -1};
@@ -29,7 +30,7 @@ TEST(Accelerator, FindsTheFirstHitWithItsCoordinates) {
         }
         EXPECT_EQ(hits[i].shape, i == 30 ? 0u : 1u);
         EXPECT_FLOAT_EQ(hits[i].t, i == 30 ? 0.5f : 2.0f);
-        const auto& mesh = std::get<TriangleMesh>(shapes[hits[i].shape].geometry);
+        const auto& mesh = std::get<TriangleMesh>(scene.shapes[hits[i].shape].geometry);
         const auto& corner = mesh.triangle[hits[i].primitive];
         const Imath::V3f p0 = mesh.position[corner[0]], p1 = mesh.position[corner[1]], p2 = mesh.position[corner[2]];
         const Imath::V3f point = p0 + (p1 - p0) * hits[i].u + (p2 - p0) * hits[i].v;
@@ -43,7 +44,7 @@ TEST(Accelerator, FindsTheFirstHitWithItsCoordinates) {
 }
 
 TEST(Accelerator, AnEmptySceneIsHitByNothing) {
-    const std::vector<Shape> none;
+    const Scene none;
     const Accelerator accelerator(none, 1);
     const std::vector<Ray> rays(3, Ray{{0, 0, 0}, {0, 0, 1}});
     std::vector<Hit> hits(3);
@@ -56,9 +57,10 @@ TEST(Accelerator, SpheresAndEllipsoidsAreHitWhereTheFormulaSays) {
     world_from_object.setScale(Imath::V3d(2.0, 0.5, 1.0));
     world_from_object.rotate(Imath::V3d(0.3, 0.5, 0.7));
     world_from_object[3][0] = 10.0;
-    const std::vector<Shape> shapes = {{Sphere{world_from_object, 1.5}, 0, {}}};
-    const Accelerator accelerator(shapes, 1);
-    const PreparedSphere sphere(std::get<Sphere>(shapes[0].geometry));
+    Scene scene;
+    scene.shapes = {{Sphere{world_from_object, 1.5}, 0, {}}};
+    const Accelerator accelerator(scene, 1);
+    const PreparedSphere sphere(std::get<Sphere>(scene.shapes[0].geometry));
     EXPECT_FALSE(sphere.world_centre.has_value());
 
     Pcg32 random(3);
@@ -100,14 +102,14 @@ TEST(Sphere, NormalsAndStretchFollowTheMap) {
     Imath::M44d world_from_object;
     world_from_object.setScale(Imath::V3d(2.0, 1.0, 1.0));
     PreparedSphere sphere(Sphere{world_from_object, 1.0});
-    const SpherePoint side = point_towards(sphere, {0, 0, 1});
+    const QuadricPoint side = point_towards(sphere, {0, 0, 1});
     EXPECT_NEAR(side.normal.z, 1.0, 1e-12);
     EXPECT_NEAR(side.area_stretch, 2.0, 1e-12);
-    const SpherePoint tip = point_towards(sphere, {1, 0, 0});
+    const QuadricPoint tip = point_towards(sphere, {1, 0, 0});
     EXPECT_NEAR(tip.position.x, 2.0, 1e-12);
     EXPECT_NEAR(tip.area_stretch, 1.0, 1e-12);
     // (x/2)^2 + y^2 = 1 at 45 degrees of object space: the gradient is (x/4, y).
-    const SpherePoint slanted = point_towards(sphere, {1, 1, 0});
+    const QuadricPoint slanted = point_towards(sphere, {1, 1, 0});
     EXPECT_NEAR(slanted.normal.y / slanted.normal.x, 2.0, 1e-12);
     sphere.flip_normal = true;
     EXPECT_NEAR(point_towards(sphere, {0, 0, 1}).normal.z, -1.0, 1e-12);

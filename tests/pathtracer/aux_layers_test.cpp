@@ -66,6 +66,24 @@ TEST(AuxLayers, ShowTheFirstSurface) {
     }
 }
 
+TEST(AuxLayers, ShowTexturesWhereTheyAreSeen) {
+    const Scene scene = parse_scene(R"(WorldBegin
+Texture "amount" "float" "checkerboard" "float tex1" .25 "float tex2" .75
+Texture "board" "spectrum" "checkerboard" "spectrum tex1" [300 .125 900 .125] "spectrum tex2" [300 .5 900 .5]
+MakeNamedMaterial "a" "string type" "diffuse" "texture reflectance" "board"
+MakeNamedMaterial "b" "string type" "diffuse" "spectrum reflectance" [300 1 900 1]
+Material "mix" "string materials" ["a" "b"] "texture amount" "amount"
+Shape "sphere")",
+                                    "t.pbrt");
+    const MaterialAlbedos albedos(scene);
+    const auto mix = scene.shapes.at(0).material;
+    const auto expect_albedo = [&](int material, Imath::V2f uv, float expected) {
+        for (const float component : albedos(material, {{0, 0, 0}, uv})) EXPECT_NEAR(component, expected, 1e-6);
+    };
+    expect_albedo(mix, {0.5f, 0.5f}, 0.75f * 0.125f + 0.25f);
+    expect_albedo(mix, {1.5f, 0.5f}, 0.25f * 0.5f + 0.75f);
+}
+
 TEST(AuxLayers, FaceWhoLooksFromBelow) {
     Scene scene;
     scene.materials = {DiffuseMaterial{ConstantSpectrum{0.4}}};

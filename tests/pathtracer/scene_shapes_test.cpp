@@ -21,11 +21,6 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// A triangle in z = 0 whose edges' cross product is along +z.
 const std::string kTriangle = R"(Shape "trianglemesh" "point3 P" [0 0 0  1 0 0  0 1 0] )";
 
-Imath::V3f edge_cross(const TriangleMesh& mesh, const Triangle& triangle) {
-    const Imath::V3f p0 = mesh.position.at(triangle[0]);
-    return (mesh.position.at(triangle[1]) - p0).cross(mesh.position.at(triangle[2]) - p0);
-}
-
 /// The z of the geometric normal amid the mesh's first triangle.
 float normal_z(const TriangleMesh& mesh) {
     return surface_point(mesh, TriangleGeometry(mesh, 0), {.u = 0.25f, .v = 0.25f}).geometric_normal.z;
@@ -79,52 +74,93 @@ TEST(SceneShapes, NormalsGoByTheInverseTransposeAndKeepTheirLength) {
                 ElementsAre(Imath::V3f(0, 0, -2), Imath::V3f(0, -1, -2), Imath::V3f(-1, 0, -2)));
 }
 
-TEST(SceneShapes, BilinearPatchesBecomeTriangles) {
+BilinearMesh only_patches(const Scene& scene) { return std::get<BilinearMesh>(scene.shapes.at(0).geometry); }
+
+/// The z of the geometric normal amid the mesh's first patch.
+float normal_z(const BilinearMesh& mesh) { return surface_point(mesh, 0, {0.5, 0.5}).geometric_normal.z; }
+
+TEST(SceneShapes, BilinearMesh) {
     const std::string square = R"(Shape "bilinearmesh" "point3 P" [0 0 0  1 0 0  0 1 0  1 1 0])";
-    const TriangleMesh mesh = only_mesh(parse_world(square));
-    EXPECT_THAT(mesh.triangle, ElementsAre(Triangle{0, 1, 3}, Triangle{0, 3, 2}));
+    const BilinearMesh mesh = only_patches(parse_world(square));
+    EXPECT_THAT(mesh.patch, ElementsAre(std::array<std::uint32_t, 4>{0, 1, 2, 3}));
+    EXPECT_TRUE(mesh.flat);
     EXPECT_GT(normal_z(mesh), 0.0);
-    EXPECT_LT(normal_z(only_mesh(parse_world("ReverseOrientation " + square))), 0.0);
+    EXPECT_LT(normal_z(only_patches(parse_world("ReverseOrientation " + square))), 0.0);
 
-    const TriangleMesh two = only_mesh(parse_world(R"(Shape "bilinearmesh" "integer indices" [0 1 2 3  1 4 3 5]
+    const BilinearMesh two = only_patches(parse_world(R"(Shape "bilinearmesh" "integer indices" [0 1 2 3  1 4 3 5]
         "point3 P" [0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1.5 0] "point2 uv" [0 0 0 0 0 0 0 0 0 0 0 0])"));
-    EXPECT_EQ(two.triangle.size(), 4u);
-    float area = 0.0f;
-    for (const Triangle& triangle : two.triangle) area += 0.5f * edge_cross(two, triangle).length();
-    EXPECT_FLOAT_EQ(area, 2.25f);
+    EXPECT_EQ(two.patch.size(), 2u);
+    EXPECT_EQ(two.uv.size(), 6u);
+    EXPECT_TRUE(two.flat);
+    const std::vector<double> areas = light_areas(two);
+    EXPECT_NEAR(areas.at(0), 1.0, 1e-12);
+    EXPECT_NEAR(areas.at(1), 1.25, 1e-12);
 }
 
-TEST(SceneShapes, AFoldedEdgeMakesAPatchATriangle) {
-    const Scene scene = parse_world(R"(Shape "bilinearmesh" "point3 P" [0 0 0  1 0 0  0 1 0  0 1 0])");
-    EXPECT_EQ(only_mesh(scene).triangle.size(), 1u);
-    EXPECT_EQ(scene.warnings.at(0), "t.pbrt:2:7: triangles without area, left out: 1 of 2");
-}
-
-TEST(SceneShapes, PatchesMustBeFlatAndConvex) {
-    const auto error = [](const std::string& points) {
-        return world_error_of("Shape \"bilinearmesh\" \"point3 P\" [" + points + "]");
+TEST(SceneShapes, PatchesAreFlatIfTheyAreConvexAndInAPlane) {
+    const auto is_flat = [](const std::string& points) {
+        return only_patches(parse_world("Shape \"bilinearmesh\" \"point3 P\" [" + points + "]")).flat;
     };
-    const std::string rest = ", expected a flat convex one (others are known to pbrt-v4 and not yet supported here)";
-    const std::string patch = "t.pbrt:2:7: found patch 0 of shape \"bilinearmesh\", which is not ";
-    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  1 1 .01"), patch + "flat" + rest);
-    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  1 1 1e-6"), "(no error)");
-    EXPECT_EQ(error("0 0 0  1 0 0  0 1 0  .2 .2 0"), patch + "convex" + rest);
-    EXPECT_EQ(error("0 0 0  1 0 0  1 1 0  0 1 0"),
-              patch + "convex" + rest);                            // corners in the order of a walk: a bow tie
-    EXPECT_EQ(error("0 0 0  2 0 0  0 1 0  1 1 0"), "(no error)");  // a trapezium
-    EXPECT_EQ(error("0 0 0  1 0 0  2 0 0  3 0 0"), "(no error)");  // no area: warned of
+    EXPECT_FALSE(is_flat("0 0 0  1 0 0  0 1 0  1 1 .01"));
+    EXPECT_TRUE(is_flat("0 0 0  1 0 0  0 1 0  1 1 1e-6"));
+    EXPECT_FALSE(is_flat("0 0 0  1 0 0  0 1 0  .2 .2 0"));
+    EXPECT_FALSE(is_flat("0 0 0  1 0 0  1 1 0  0 1 0"));  // corners in the order of a walk: a bow tie
+    EXPECT_TRUE(is_flat("0 0 0  2 0 0  0 1 0  1 1 0"));   // a trapezium
+    EXPECT_TRUE(is_flat("0 0 0  1 0 0  0 1 0  0 1 0"));   // a triangle
+}
+
+TEST(SceneShapes, PatchesWithoutAreaAreCounted) {
+    const Scene scene = parse_world(R"(LightSource "infinite"
+ Shape "bilinearmesh" "point3 P" [0 0 0  1 0 0  2 0 0  3 0 0])");
+    EXPECT_THAT(scene.warnings, ElementsAre("t.pbrt:3:8: patches without area, left out: 1 of 1"));
+    EXPECT_TRUE(scene.shapes.empty());
 }
 
 TEST(SceneShapes, Sphere) {
     const Scene scene = parse_world(R"(Translate 1 2 3 Shape "sphere" "float radius" 2.5
-        ReverseOrientation Scale -1 1 1 Shape "sphere" "float zmin" -1 "float zmax" 7 "float phimax" 360)");
-    const auto first = std::get<Sphere>(scene.shapes.at(0).geometry),
-               second = std::get<Sphere>(scene.shapes.at(1).geometry);
-    EXPECT_EQ(first.radius, 2.5);
-    EXPECT_EQ(first.world_from_object.translation(), Imath::V3d(1, 2, 3));
-    EXPECT_FALSE(first.flip_normal);
-    EXPECT_EQ(second.radius, 1.0);
-    EXPECT_TRUE(second.flip_normal);
+        ReverseOrientation Shape "sphere" "float zmin" -1 "float zmax" 7 "float phimax" 400
+        Scale -1 1 1 Shape "sphere" "float zmin" .5 "float zmax" -.25 "float phimax" 90)");
+    const auto sphere = [&](std::size_t i) { return std::get<Sphere>(scene.shapes.at(i).geometry); };
+    EXPECT_EQ(sphere(0).radius, 2.5);
+    EXPECT_EQ(sphere(0).world_from_object.translation(), Imath::V3d(1, 2, 3));
+    EXPECT_FALSE(sphere(0).flip_normal);
+    EXPECT_TRUE(PreparedSphere(sphere(0)).whole);
+    EXPECT_EQ(sphere(1).radius, 1.0);
+    EXPECT_TRUE(sphere(1).flip_normal);
+    EXPECT_TRUE(PreparedSphere(sphere(1)).whole);
+    EXPECT_FALSE(sphere(2).flip_normal);  // turned, and turned back by the mirror
+    EXPECT_EQ(sphere(2).z_min, -0.25);
+    EXPECT_EQ(sphere(2).z_max, 0.5);
+    EXPECT_DOUBLE_EQ(sphere(2).phi_max, 0.5 * M_PI);
+}
+
+TEST(SceneShapes, DiskAndCylinder) {
+    const Scene scene = parse_world(R"(Translate 1 2 3 Shape "disk" Shape "cylinder" ReverseOrientation
+        Shape "disk" "float radius" 3 "float innerradius" 1 "float height" -2 "float phimax" 180
+        Shape "cylinder" "float radius" 3 "float zmin" 4 "float zmax" -2 "float phimax" 90)");
+    const auto disk = [&](std::size_t i) { return std::get<Disk>(scene.shapes.at(i).geometry); };
+    const auto cylinder = [&](std::size_t i) { return std::get<Cylinder>(scene.shapes.at(i).geometry); };
+    EXPECT_EQ(disk(0).world_from_object.translation(), Imath::V3d(1, 2, 3));
+    EXPECT_EQ(disk(0).radius, 1.0);
+    EXPECT_EQ(disk(0).inner_radius, 0.0);
+    EXPECT_FALSE(disk(0).flip_normal);
+    EXPECT_EQ(cylinder(1).z_min, -1.0);
+    EXPECT_EQ(cylinder(1).z_max, 1.0);
+    EXPECT_EQ(disk(2).height, -2.0);
+    EXPECT_TRUE(disk(2).flip_normal);
+    EXPECT_NEAR(light_areas(disk(2)).at(0), 4.0 * M_PI, 1e-12);
+    EXPECT_EQ(cylinder(3).z_min, -2.0);
+    EXPECT_NEAR(light_areas(cylinder(3)).at(0), 9.0 * M_PI, 1e-12);
+}
+
+TEST(SceneShapes, QuadricsWithoutAreaAreLeftOut) {
+    for (const char* const shape :
+         {R"("sphere" "float zmin" 2)", R"("sphere" "float phimax" 0)", R"("disk" "float innerradius" 1)",
+          R"("disk" "float phimax" -10)", R"("cylinder" "float zmin" 1)"}) {
+        const Scene scene = parse_world(std::string("LightSource \"infinite\" Shape ") + shape);
+        EXPECT_TRUE(scene.shapes.empty()) << shape;
+        EXPECT_THAT(scene.warnings, ElementsAre(::testing::HasSubstr(" without area, left out"))) << shape;
+    }
 }
 
 TEST(SceneShapes, TrianglesWithoutAreaAreCounted) {
@@ -178,18 +214,13 @@ TEST(SceneShapes, RefusesWhatIsNoShape) {
          "34: found a sphere under a transformation without inverse, expected another one"},
         {R"(Scale 1e-120 1e-120 1e-120 Shape "trianglemesh" "normal N" [0 0 1 0 0 1 0 0 1] "point3 P" [0 0 0 1 0 0 0 1 0])",
          "49: found normals under a transformation without inverse, expected another one"},
-        {R"(Shape "sphere" "float radius" 2 "float zmin" -1)",
-         "46: found -1 for parameter \"zmin\" of shape \"sphere\", expected -2 or below (others are known to pbrt-v4 "
-         "and not "
-         "yet supported here)"},
-        {R"(Shape "sphere" "float zmax" 0)",
-         "29: found 0 for parameter \"zmax\" of shape \"sphere\", expected 1 or above (others are known to pbrt-v4 and "
-         "not "
-         "yet supported here)"},
-        {R"(Shape "sphere" "float phimax" 180)",
-         "31: found 180 for parameter \"phimax\" of shape \"sphere\", expected 360 (others are known to pbrt-v4 and "
-         "not yet "
-         "supported here)"},
+        {R"(Shape "disk" "float innerradius" -1)",
+         "34: found -1 for parameter \"innerradius\" of shape \"disk\", expected 0 or a number above"},
+        {R"(Scale 1e14 1e14 1 Shape "disk" "float radius" 20)",
+         "25: found a disk that reaches to 2e+15, expected coordinates from -1e15 to 1e15 in world space"},
+        {R"(Shape "cylinder" "float zmax" 1e16)",
+         "7: found a cylinder that reaches to 1e+16, expected coordinates from -1e15 to 1e15 in world space"},
+        {R"(Shape "plymesh")", "7: found shape \"plymesh\" without a file, expected a parameter \"filename\""},
         {R"(Shape "sphere" "float alpha" 1)",
          "16: found parameter \"alpha\" of shape \"sphere\", expected a supported one (known to pbrt-v4 and not yet "
          "supported "

@@ -152,13 +152,9 @@ TEST(SceneSpectra, RefusesMalformedOnes) {
         {R"("spectrum reflectance" "stdillum-B")",
          "43: found spectrum \"stdillum-B\", expected a known one, or a file that can be read (nearest known name: "
          "\"stdillum-A\")"},
-        {R"("texture reflectance" "t")",
-         "20: found type \"texture\" of parameter \"reflectance\" of material \"diffuse\", expected a supported one "
-         "(known "
-         "to pbrt-v4 and not yet supported here; supported: rgb, blackbody or spectrum)"},
         {R"("float reflectance" .5)",
-         "20: found type \"float\" of parameter \"reflectance\" of material \"diffuse\", expected rgb, blackbody or "
-         "spectrum"},
+         "20: found type \"float\" of parameter \"reflectance\" of material \"diffuse\", expected rgb, blackbody, "
+         "spectrum or texture"},
     };
     for (const BadSpectrum& spectrum : bad) {
         EXPECT_EQ(world_error_of("Material \"diffuse\" " + spectrum.parameter), "t.pbrt:2:" + spectrum.message)

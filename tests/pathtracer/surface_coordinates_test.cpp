@@ -28,7 +28,7 @@ Met meet(const std::string& world, const Imath::V3f& origin, const Imath::V3f& d
     Met met;
     scene.accelerator().intersect({&ray, 1}, {&met.hit, 1});
     if (met.hit.shape == Hit::kNone) throw std::runtime_error("the ray met nothing");
-    met.point = surface_point(scene.shape(met.hit.shape), ray, met.hit);
+    met.point = surface_point(scene, ray, met.hit);
     met.uv = surface_uv(scene, met.hit, met.point);
     met.tangent = surface_tangent(scene, met.hit, met.point);
     return met;
