@@ -9,8 +9,14 @@ namespace emulsion {
 
 namespace {
 
-/// Spectra that are the same at all wavelengths disperse nothing.
-bool is_constant(const Spectrum& spectrum) noexcept { return std::holds_alternative<ConstantSpectrum>(spectrum); }
+/// Spectra that are the same at all wavelengths disperse nothing, however they are written.
+bool is_constant(const Spectrum& spectrum) noexcept {
+    const double first = eval(spectrum, static_cast<double>(kMinWavelength_nm));
+    for (int lambda_nm = kMinWavelength_nm + 1; lambda_nm <= kMaxWavelength_nm; ++lambda_nm) {
+        if (eval(spectrum, static_cast<double>(lambda_nm)) != first) return false;
+    }
+    return true;
+}
 
 /// K of the coat at each whole nanometre.
 Spectrum internal_reflectance(const CoatedDiffuseMaterial& coat) {

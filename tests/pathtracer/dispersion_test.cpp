@@ -85,6 +85,27 @@ void expect_same_as_alone(const Roughness& roughness, int count) {
 TEST(Dispersion, SmoothGlassShowsEachWavelengthAsItIsAlone) { expect_same_as_alone({}, 400000); }
 TEST(Dispersion, RoughGlassToo) { expect_same_as_alone({0.15, 0.15, false}, 400000); }
 
+// A spectrum that is the same everywhere disperses nothing, however it is written: a table's jumps outside the visible
+// are none.
+TEST(Dispersion, ConstantTablesDoNotDisperse) {
+    Scene scene = flint_scene({});
+    for (const auto& [eta, channels] : {std::pair{PiecewiseLinearSpectrum({{300, 900}, {1.5, 1.5}}), Channels::all},
+                                        {slope(1.9, 1.6), Channels::first_only}}) {
+        std::get<DielectricMaterial>(scene.materials[0]).eta = eta;
+        const PreparedScene prepared(scene, 1);
+        PathIntegrator<SpectralTransport<4>> integrator(prepared, scene.integrator.max_depth);
+        std::vector<Path<SpectralTransport<4>>> paths(64);
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            paths[i].ray = kRays[1];
+            paths[i].samples = SampleSequence(IndependentSampler{}, 1, 0, 0, static_cast<int>(i));
+            paths[i].index = SpectrumTableIndex<4>(kTestWavelengths_nm);
+        }
+        integrator.trace(paths);
+        const auto is_it = [&channels = channels](const auto& path) { return path.channels == channels; };
+        EXPECT_GT(std::count_if(paths.begin(), paths.end(), is_it), 50);
+    }
+}
+
 // Paths that only reflect keep all of their wavelengths.
 TEST(Dispersion, ReflectionsKeepTheirWavelengths) {
     Scene scene = flint_scene({});
