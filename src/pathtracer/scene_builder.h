@@ -150,7 +150,7 @@ class SceneBuilder {
     void check_named_materials() const;
     void check_mixes() const;
     /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
-    void leave_out_interfaces();
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void resolve_instances();
     void warn(const SourcePlace& place, const std::string& what);
 
