@@ -70,9 +70,9 @@ struct Scene {
     std::vector<FloatTexture> float_textures;
     std::vector<ReflectanceTexture> reflectance_textures;
     std::vector<Material> materials;
-    std::vector<Shape> shapes;  ///< those of objects among them
-    std::vector<Object> objects;
-    std::vector<Instance> instances;
+    std::vector<Shape> shapes;
+    std::vector<ObjectDefinition> objects;
+    std::vector<ObjectInstance> instances;
     std::vector<Light> lights;
     /// Of the contents of all files that the scene was read from (core/content_hash.h); empty: of no file.
     std::string hash;

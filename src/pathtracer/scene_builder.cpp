@@ -148,7 +148,7 @@ void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
 void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
     inherit(AttributeTarget::light, light_table(), list);
     warn_of_motion(list.place, "the light");
-    scene_.lights.push_back(read_light(list, state_.frame.world_from_object, spectra_));
+    scene_.lights.push_back(read_light(list, {state_.frame.world_from_object, spectra_, files_, scene_.warnings}));
 }
 
 void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
