@@ -24,16 +24,29 @@ void check_transform(const SourcePlace& place, const Imath::M44d& matrix) {
     }
 }
 
+/// Moves the camera to the origin; returns where it was.
+Imath::V3d moved_to_origin(Camera& camera) {
+    return std::visit(
+        [](auto& c) {
+            const Imath::V3d position = c.world_from_camera.translation();
+            c.world_from_camera = c.world_from_camera * translation(-position);
+            return position;
+        },
+        camera);
+}
+
 }  // namespace
 
 void SceneBuilder::transform(const SourcePlace& place, const Imath::M44d& matrix) {
     check_transform(place, matrix);
-    state_.frame.world_from_object = matrix;
+    state_.frame.world_from_object = matrix * translation(-scene_.origin);
 }
 
 void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d& matrix) {
     check_transform(place, matrix);
-    transform(place, matrix * state_.frame.world_from_object);
+    const Imath::M44d both = matrix * state_.frame.world_from_object;
+    check_transform(place, both);
+    state_.frame.world_from_object = both;
 }
 
 // --- Options
@@ -75,7 +88,9 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
     world_begin_ = place;
     scene_.film.sensor.exposure_time_s = exposure_time_s_;
     check_sensor(place, scene_.film.sensor);
-    state_.frame.world_from_object.makeIdentity();
+    // From here on, transformations lead to world space as the scene has it: see scene.h.
+    scene_.origin = moved_to_origin(scene_.camera);
+    state_.frame.world_from_object = translation(-scene_.origin);
 }
 
 // --- World
