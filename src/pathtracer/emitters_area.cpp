@@ -44,7 +44,7 @@ float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
 // --- Flat faces
 
 /// Triangles and flat patches that are seen under less than this, in steradians, are sampled by area: see
-/// docs/light-sampling.md for the measured errors of both.
+/// docs/geometry.md for the measured errors of both.
 constexpr double kLeastSolidAngle = 1e-3;
 
 /// A sample in a direction drawn uniformly from a solid angle.
