@@ -88,8 +88,8 @@ inline void set_shading_normal(SurfacePoint& point, const Imath::V3f& interpolat
 /// At a hit of a patch.
 [[nodiscard]] SurfacePoint surface_point(const BilinearMesh& mesh, const Hit& hit) noexcept;
 
-/// At (u, v) of a patch.
-[[nodiscard]] SurfacePoint surface_point(const BilinearMesh& mesh, std::uint32_t patch, const Imath::V2d& uv) noexcept;
+/// At (u, v) of patch number `index`.
+[[nodiscard]] SurfacePoint surface_point(const BilinearMesh& mesh, std::uint32_t index, const Imath::V2d& uv) noexcept;
 
 /// Quadrics are intersected in double precision: only the point itself and the ray's origin are rounded.
 [[nodiscard]] inline SurfacePoint surface_point(const QuadricPoint& point) noexcept {
