@@ -132,6 +132,7 @@ class SceneBuilder {
         Imath::M44d world_from_object;
     };
 
+    [[nodiscard]] Imath::M44d from_camera_position(const Imath::M44d& world_from_object) const;
     void note_option(const SourcePlace& place, const std::string& directive);
     /// Sets the active transformations to what `change` makes of them.
     template <class Change>

@@ -194,7 +194,7 @@ void SceneBuilder::object_instance(const SourcePlace& place, const SourcePlace& 
                          "it outside: objects are made of shapes only, as in pbrt-v4");
     }
     require_rest(place, "an instance");
-    instance_uses_.push_back({name, place_of_name, state_.frame.world_from_object});
+    instance_uses_.push_back({name, place_of_name, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::resolve_instances() {
