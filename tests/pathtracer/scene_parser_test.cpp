@@ -42,9 +42,8 @@ TEST(SceneParser, NamesTheTokenAtFault) {
         {"Camera \"orthographic\"", "1:8: found camera \"orthographic\", " + unsupported + "perspective)"},
         {"Sampler \"halton\"",
          "1:9: found sampler \"halton\", " + unsupported + "independent, stratified, paddedsobol)"},
-        {"WorldBegin Material \"dielectric\"", "1:21: found material \"dielectric\", " + unsupported + "diffuse)"},
-        {"WorldBegin LightSource \"spot\"",
-         "1:24: found light source \"spot\", " + unsupported + "point, distant, infinite)"},
+        {"WorldBegin LightSource \"projection\"",
+         "1:24: found light source \"projection\", " + unsupported + "point, spot, distant, infinite)"},
         {"WorldBegin Shape \"curve\"", "1:18: found shape \"curve\", " + unsupported +
                                            "trianglemesh, bilinearmesh, plymesh, sphere, disk, cylinder)"},
         {"Film \"spectral\"", "1:6: found film \"spectral\", " + unsupported + "rgb)"},
