@@ -24,7 +24,7 @@ constexpr double kPi = std::numbers::pi;
 ScaledSpectrum scaled_light(const ParameterList& list, std::string_view name, double photometric_value,
                             SpectrumReader& spectra) {
     const SceneParameter* const parameter = find_parameter(list, name);
-    ScaledSpectrum light = parameter == nullptr ? spectra.default_light() : spectra.light(*parameter);
+    ScaledSpectrum light = parameter == nullptr ? spectra.default_light(list.color_space) : spectra.light(*parameter);
     light.scale *= photometric_value;
     check_brightness(light, list.place);
     return light;
