@@ -47,7 +47,7 @@ FilmOptions film_options(const RenderSettings& settings, const Scene& scene) {
     FilmOptions options = emulsion::film_options(scene);
     options.filter_use = settings.filter_use;
     options.variance = settings.variance;
-    options.spectrum = settings.spectrum;
+    if (settings.spectrum) options.spectrum = settings.spectrum;  // else as the scene has it
     options.aux = settings.aux;
     options.firefly_control = settings.firefly_control;
     try {

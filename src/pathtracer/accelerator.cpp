@@ -45,7 +45,7 @@ struct Accelerator::Embree {
     [[nodiscard]] RTCGeometry make_geometry(const BilinearMesh& mesh);
     template <class Quadric>
     [[nodiscard]] RTCGeometry make_geometry(const Quadric& quadric);
-    [[nodiscard]] RTCGeometry make_instance(const Instance& instance) const;
+    [[nodiscard]] RTCGeometry make_instance(const ObjectInstance& instance) const;
 
     /// Turns Embree's numbers into ours.
     [[nodiscard]] Hit hit_of(float t, float u, float v, unsigned geometry, unsigned primitive,
@@ -251,9 +251,9 @@ RTCGeometry Accelerator::Embree::make_geometry(const Quadric& quadric) {
     return std::visit([&](const auto& shape) { return user_geometry(device, shape, 1); }, *quadrics.back());
 }
 
-RTCGeometry Accelerator::Embree::make_instance(const Instance& instance) const {
+RTCGeometry Accelerator::Embree::make_instance(const ObjectInstance& instance) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, objects[instance.object]);
+    rtcSetGeometryInstancedScene(geometry, objects[static_cast<std::size_t>(instance.object)]);
     std::array<float, 12> columns{};  // the images of x, y and z, and of the origin
     for (int row = 0; row < 4; ++row) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -265,7 +265,8 @@ RTCGeometry Accelerator::Embree::make_instance(const Instance& instance) const {
     return geometry;
 }
 
-Accelerator::Accelerator(const Scene& scene, int threads) : embree_(std::make_unique<Embree>()) {
+Accelerator::Accelerator(const Scene& scene, std::span<const ShapeRange> objects, int threads)
+    : embree_(std::make_unique<Embree>()) {
     Embree& embree = *embree_;
     embree.device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (embree.device == nullptr) throw std::runtime_error("Embree failed: no device for this processor");
@@ -276,11 +277,11 @@ Accelerator::Accelerator(const Scene& scene, int threads) : embree_(std::make_un
         return std::visit([&](const auto& geometry) { return embree.make_geometry(geometry); }, shape.geometry);
     };
     std::vector<bool> in_object(scene.shapes.size(), false);
-    for (const Object& object : scene.objects) {
+    for (const ShapeRange& object : objects) {
         embree.objects.push_back(embree.new_scene());
-        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
+        for (std::size_t i = object.first; i < object.end; ++i) {
             in_object[i] = true;
-            embree.attach(embree.objects.back(), geometry_of(scene.shapes[i]), i - object.first_shape);
+            embree.attach(embree.objects.back(), geometry_of(scene.shapes[i]), i - object.first);
         }
         embree.check("taking the shapes of an object");
         rtcCommitScene(embree.objects.back());
@@ -290,10 +291,10 @@ Accelerator::Accelerator(const Scene& scene, int threads) : embree_(std::make_un
         embree.attach(embree.scene, geometry_of(scene.shapes[i]), embree.shape_of_geometry.size());
         embree.shape_of_geometry.push_back(static_cast<std::uint32_t>(i));
     }
-    for (const Instance& instance : scene.instances) {
+    for (const ObjectInstance& instance : scene.instances) {
         const std::size_t number = embree.shape_of_geometry.size() + embree.first_shape_of_instance.size();
         embree.attach(embree.scene, embree.make_instance(instance), number);
-        embree.first_shape_of_instance.push_back(scene.objects[instance.object].first_shape);
+        embree.first_shape_of_instance.push_back(objects[static_cast<std::size_t>(instance.object)].first);
     }
     embree.check("taking the shapes");
     rtcCommitScene(embree.scene);

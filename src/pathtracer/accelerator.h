@@ -10,6 +10,7 @@
 #include <Imath/ImathVec.h>
 
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_objects.h"
 
 namespace emulsion {
 
@@ -44,10 +45,10 @@ struct RayLog {
 
 class Accelerator {
   public:
-    /// Builds Embree's hierarchy over the scene's shapes and instances on up to `threads` threads (0: all). The shapes
-    /// must outlive it, and stay where they are.
-    /// \throws std::runtime_error if that fails: with Embree's reason, or because coordinates are beyond its range.
-    Accelerator(const Scene& scene, int threads);
+    /// Builds Embree's hierarchy over the scene's shapes and instances on up to `threads` threads (0: all). `objects`
+    /// are those of settle_objects(). The shapes must outlive it, and stay where they are. \throws std::runtime_error
+    /// if that fails: with Embree's reason, or because coordinates are beyond its range.
+    Accelerator(const Scene& scene, std::span<const ShapeRange> objects, int threads);
     ~Accelerator();
     Accelerator(const Accelerator&) = delete;
     Accelerator& operator=(const Accelerator&) = delete;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "pathtracer/environment_map.h"
 #include "pathtracer/vector_math.h"
 
 namespace emulsion {
@@ -23,6 +24,22 @@ EmitterSample sample_one(const PointEmitter& emitter, const V3f& from, std::arra
     return sample;
 }
 
+/// The share of the intensity that a spot light has in a direction away from it.
+float spot_share(const SpotEmitter& emitter, const V3f& direction) noexcept {
+    const V3f in_light = direction * emitter.light_from_world;
+    const float cosine = in_light.z / in_light.length();
+    if (cosine >= emitter.cos_full) return 1.0f;
+    if (!(cosine > emitter.cos_none)) return 0.0f;
+    const float t = (cosine - emitter.cos_none) / (emitter.cos_full - emitter.cos_none);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+EmitterSample sample_one(const SpotEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
+    EmitterSample sample = sample_one(PointEmitter{emitter.position}, from, u);
+    if (sample.scale > 0.0f) sample.scale *= spot_share(emitter, -sample.to_light);
+    return sample;
+}
+
 EmitterSample sample_one(const DistantEmitter& emitter, const V3f&, std::array<float, 2>) noexcept {
     return {emitter.to_light, V3f(0.0f), true, 0.0f, 1.0f};
 }
@@ -31,9 +48,18 @@ EmitterSample sample_one(const InfiniteEmitter&, const V3f&, std::array<float, 2
     return {uniform_sphere(u), V3f(0.0f), true, kInfiniteEmitterPdf, 1.0f};
 }
 
+EmitterSample sample_one(const ImageEmitter& emitter, const V3f&, std::array<float, 2> u) noexcept {
+    const V3f to_light = emitter.map->sample(u);
+    // Of the direction as it is after rounding: another texel's, now and then, as its radiance will be.
+    const float pdf = emitter.map->pdf(to_light);
+    return {to_light, V3f(0.0f), true, pdf, pdf > 0.0f ? 1.0f : 0.0f};
+}
+
 float pdf_of(const PointEmitter&, const MetEmitter&) noexcept { return 0.0f; }
+float pdf_of(const SpotEmitter&, const MetEmitter&) noexcept { return 0.0f; }
 float pdf_of(const DistantEmitter&, const MetEmitter&) noexcept { return 0.0f; }
 float pdf_of(const InfiniteEmitter&, const MetEmitter&) noexcept { return kInfiniteEmitterPdf; }
+float pdf_of(const ImageEmitter& emitter, const MetEmitter& met) noexcept { return emitter.map->pdf(met.direction); }
 
 }  // namespace
 

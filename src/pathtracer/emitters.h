@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
 #include "pathtracer/emitter_sample.h"
@@ -14,9 +15,18 @@
 
 namespace emulsion {
 
+class EnvironmentMap;
+
 /// An intensity at a point: irradiance falls with the squared distance.
 struct PointEmitter {
     Imath::V3f position;
+};
+
+/// The same within a cone: see SpotLight.
+struct SpotEmitter {
+    Imath::V3f position;
+    Imath::M33f light_from_world;
+    float cos_full = 1.0f, cos_none = 0.0f;
 };
 
 struct DistantEmitter {
@@ -26,12 +36,17 @@ struct DistantEmitter {
 /// The same radiance from everywhere.
 struct InfiniteEmitter {};
 
-using EmitterGeometry =
-    std::variant<TriangleEmitter, PatchEmitter, QuadricEmitter, PointEmitter, DistantEmitter, InfiniteEmitter>;
+/// Radiance from everywhere by a picture; outlived by it.
+struct ImageEmitter {
+    const EnvironmentMap* map = nullptr;
+};
+
+using EmitterGeometry = std::variant<TriangleEmitter, PatchEmitter, QuadricEmitter, PointEmitter, SpotEmitter,
+                                     DistantEmitter, InfiniteEmitter, ImageEmitter>;
 
 struct Emitter {
     EmitterGeometry geometry;
-    std::uint32_t spectrum = 0;          ///< which table of the prepared scene
+    std::uint32_t spectrum = 0;          ///< which table of the prepared scene; of pictures, that of the illuminant
     float scale = 1.0f;                  ///< of the spectrum
     float selection_probability = 0.0f;  ///< with which EmitterPicker picks it
 };

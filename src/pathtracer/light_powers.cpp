@@ -1,5 +1,6 @@
 #include "pathtracer/light_powers.h"
 
+#include <numbers>
 #include <numeric>
 
 #include "spectrum/colorimetry.h"
@@ -8,6 +9,11 @@ namespace emulsion {
 
 double photometric_strength(const ScaledSpectrum& spectrum) {
     return photometric_integral(spectrum.spectrum) * spectrum.scale;
+}
+
+double spot_solid_angle(double cos_full, double cos_none) noexcept {
+    // 3 t^2 - 2 t^3 is 1/2 in the mean.
+    return 2.0 * std::numbers::pi * ((1.0 - cos_full) + 0.5 * (cos_full - cos_none));
 }
 
 std::vector<double> LightPowers::weights() const {

@@ -11,6 +11,9 @@ namespace emulsion {
 /// Photometric strength of a light's spectrum: lm/683 in whatever it is per.
 [[nodiscard]] double photometric_strength(const ScaledSpectrum& spectrum);
 
+/// What a spot light shines into: its flux over its intensity along the axis, sr. The cosines are those of SpotLight.
+[[nodiscard]] double spot_solid_angle(double cos_full, double cos_none) noexcept;
+
 /// The luminous fluxes by which emitters are picked.
 struct LightPowers {
     std::vector<double> emitter;         ///< of each, in lm/683

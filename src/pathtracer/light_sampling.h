@@ -2,6 +2,7 @@
 // The parts of PathIntegrator that diffuse surfaces and all others share: next-event estimation and Russian roulette.
 
 #include "pathtracer/bsdf.h"
+#include "pathtracer/environment_map.h"
 #include "pathtracer/path_integrator.h"
 #include "pathtracer/vector_math.h"
 
@@ -12,6 +13,17 @@ inline constexpr float kShadowRayEnd = 1.0f - 1e-5f;
 
 /// Scattering events that every path is granted before Russian roulette may end it.
 inline constexpr int kFirstRouletteDepth = 2;
+
+/// What an emitter sends from where the unit vector `to_light` points, but for its scale.
+template <class Index>
+[[nodiscard]] inline ValuesAt<Index> emitted_towards(const PreparedScene& scene, const Emitter& emitter,
+                                                     const Imath::V3f& to_light, const Index& index) noexcept {
+    ValuesAt<Index> values = scene.spectra()[emitter.spectrum].at(index);
+    if (const auto* image = std::get_if<ImageEmitter>(&emitter.geometry)) {
+        values *= image->map->colour(to_light, index);
+    }
+    return values;
+}
 
 /// `evaluate` gives the BsdfValue of a unit direction in world space.
 template <class Transport>
@@ -29,7 +41,8 @@ void PathIntegrator<Transport>::sample_light(PathT& path, std::uint32_t path_ind
     const float selection = emitter.selection_probability;
     float factor = light.scale * emitter.scale / selection;
     if (light.pdf > 0.0f) factor *= power_heuristic(selection * light.pdf, bsdf.pdf) / light.pdf;
-    const Values radiance = path.throughput * bsdf.f_cos * scene_.spectra()[emitter.spectrum].at(path.index) * factor;
+    const Values radiance =
+        path.throughput * bsdf.f_cos * emitted_towards(scene_, emitter, light.to_light, path.index) * factor;
     if (!(radiance.max() > 0.0f)) return;
 
     const Imath::V3f origin = point.origin_towards(light.to_light);

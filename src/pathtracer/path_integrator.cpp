@@ -49,9 +49,10 @@ void PathIntegrator<Transport>::add_background(PathT& path) const noexcept {
         const Emitter& emitter = scene_.emitters()[i];
         float weight = 1.0f;
         if (path.direction_pdf > 0.0f) {
-            weight = power_heuristic(path.direction_pdf, emitter.selection_probability * kInfiniteEmitterPdf);
+            const float pdf = direction_pdf(emitter.geometry, path.last_vertex, path.ray.direction, {}, {});
+            weight = power_heuristic(path.direction_pdf, emitter.selection_probability * pdf);
         }
-        path.radiance += path.throughput * scene_.spectra()[emitter.spectrum].at(path.index) * weight;
+        path.radiance += path.throughput * emitted_towards(scene_, emitter, path.ray.direction, path.index) * weight;
     }
 }
 

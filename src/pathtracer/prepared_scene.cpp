@@ -7,15 +7,16 @@
 
 namespace emulsion {
 
-PreparedScene::PreparedScene(Scene scene, int threads)
-    : scene_(with_settled_objects(std::move(scene))), accelerator_(std::make_unique<Accelerator>(scene_, threads)) {
+PreparedScene::PreparedScene(Scene scene, int threads) : scene_(std::move(scene)) {
+    const std::vector<ShapeRange> objects = settle_objects(scene_);
+    accelerator_ = std::make_unique<Accelerator>(scene_, objects, threads);
     materials_ = std::make_unique<PreparedMaterials>(scene_, spectra_);
 
     LightPowers powers;
     shapes_.reserve(scene_.shapes.size());
     for (const Shape& shape : scene_.shapes) add_shape(shape, powers);
     instances_.reserve(scene_.instances.size());
-    for (const Instance& instance : scene_.instances) instances_.emplace_back(instance.world_from_object);
+    for (const ObjectInstance& instance : scene_.instances) instances_.emplace_back(instance.world_from_object);
     for (const Light& light : scene_.lights) add_light(light, powers);
     if (emitters_.empty()) return;
     const std::vector<double> weights = powers.weights();

@@ -8,6 +8,7 @@
 
 #include "pathtracer/accelerator.h"
 #include "pathtracer/emitters.h"
+#include "pathtracer/environment_map.h"
 #include "pathtracer/light_powers.h"
 #include "pathtracer/prepared_instance.h"
 #include "pathtracer/prepared_materials.h"
@@ -57,6 +58,7 @@ class PreparedScene {
     std::unique_ptr<PreparedMaterials> materials_;
     std::vector<PreparedShape> shapes_;
     std::vector<PreparedInstance> instances_;
+    std::vector<std::unique_ptr<EnvironmentMap>> environment_maps_;
     std::vector<Emitter> emitters_;
     std::vector<std::uint32_t> infinite_emitters_;
     EmitterPicker picker_;

@@ -35,7 +35,7 @@ class TileRenderer {
           is_splatted_(film.options().filter_use == FilterUse::splatted),
           sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
           filter_(film.options().filter),
-          camera_(std::get<PerspectiveCamera>(scene.scene().camera), film.options().width_px, film.options().height_px),
+          camera_(scene.scene().camera, film.options().width_px, film.options().height_px),
           aux_(scene.scene(), film.options().aux),
           rgb_input_(rgb_space("sRGB"), film.sensor().imaging_ratio()) {}
 
@@ -82,20 +82,28 @@ class TileRenderer {
 
     Start start_path(int x, int y, int sample_index, Path<Transport>& path) const noexcept {
         path.samples = SampleSequence(sampler_, options_.seed, x, y, sample_index);
+        const SampleJitter& jitter = scene_.scene().jitter;
         if constexpr (kSpectral) {
-            path.wavelengths = hero_wavelengths<Transport::kChannels>(wavelength_pdf_, path.samples.next_1d());
+            const float wavelength = path.samples.next_1d();
+            path.wavelengths =
+                hero_wavelengths<Transport::kChannels>(wavelength_pdf_, jitter.wavelength ? wavelength : 0.5f);
             path.index = typename Transport::Index(path.wavelengths.lambda_nm);
         }
-        const auto [u, v] = path.samples.next_2d();
+        const auto [u, v] = jittered(path.samples.next_2d());
         Start start{x, y, sample_index, static_cast<float>(x) + u, static_cast<float>(y) + v, 1.0f};
-        if (!is_splatted_) {
+        if (!is_splatted_ && jitter.pixel) {
             const FilterSample place = filter_.sample(u, v);
             start.x_px = static_cast<float>(x) + 0.5f + place.x_offset_px;
             start.y_px = static_cast<float>(y) + 0.5f + place.y_offset_px;
             start.weight = place.weight;
         }
-        path.ray = camera_.ray(start.x_px, start.y_px);
+        path.ray = camera_.has_lens() ? camera_.ray(start.x_px, start.y_px, jittered(path.samples.next_2d()))
+                                      : camera_.ray(start.x_px, start.y_px);
         return start;
+    }
+
+    std::array<float, 2> jittered(const std::array<float, 2>& uv) const noexcept {
+        return scene_.scene().jitter.pixel ? uv : std::array{0.5f, 0.5f};
     }
 
     void add(FilmTile& tile, const Start& start, const Path<Transport>& path) const noexcept {
@@ -228,7 +236,8 @@ FilmOptions film_options(const Scene& scene) {
             .height_px = scene.film.height_px,
             .sensor = scene.film.sensor,
             .crop = crop,
-            .filter = scene.filter};
+            .filter = scene.filter,
+            .spectrum = scene.film.spectrum};
 }
 
 }  // namespace emulsion

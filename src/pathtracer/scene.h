@@ -12,6 +12,7 @@
 #include "film/filter.h"
 #include "film/pixel_type.h"
 #include "film/sensor_options.h"
+#include "film/spectral_buckets.h"
 #include "pathtracer/scene_camera.h"
 #include "pathtracer/scene_geometry.h"
 #include "pathtracer/scene_light.h"
@@ -45,6 +46,13 @@ struct FilmSettings {
     /// unset: all. pixel_bounds says the same in pixels; at most one of the two is set.
     std::optional<std::array<double, 4>> crop_window = std::nullopt;
     std::optional<PixelBounds> pixel_bounds = std::nullopt;
+    std::optional<SpectralBuckets> spectrum = std::nullopt;  ///< of film "spectral"
+};
+
+/// What is random within a pixel. Without it all paths of a pixel start at its centre, in the middle of the lens, or
+/// with the same wavelengths: wrong pictures, but comparable ones.
+struct SampleJitter {
+    bool pixel = true, wavelength = true;
 };
 
 struct PathIntegratorSettings {
@@ -57,13 +65,14 @@ struct Scene {
     Filter filter = GaussianFilter{};
     Sampler sampler = PaddedSobolSampler{};
     int sampler_seed = 0;
+    SampleJitter jitter;
     PathIntegratorSettings integrator;
     std::vector<FloatTexture> float_textures;
     std::vector<ReflectanceTexture> reflectance_textures;
     std::vector<Material> materials;
-    std::vector<Shape> shapes;  ///< those of objects among them
-    std::vector<Object> objects;
-    std::vector<Instance> instances;
+    std::vector<Shape> shapes;
+    std::vector<ObjectDefinition> objects;
+    std::vector<ObjectInstance> instances;
     std::vector<Light> lights;
     /// Of the contents of all files that the scene was read from (core/content_hash.h); empty: of no file.
     std::string hash;

@@ -10,37 +10,14 @@
 
 namespace emulsion {
 
-// --- Transformations
-
-namespace {
-
-void check_transform(const SourcePlace& place, const Imath::M44d& matrix) {
-    if (!is_affine(matrix)) {
-        throw SceneError(place, "a projective transformation", "an affine one: numbers 4, 8, 12, 16 are 0 0 0 1");
-    }
-    if (!is_invertible(matrix)) {
-        throw SceneError(place, "a singular transformation",
-                         "one that maps space to space, neither flattened nor overflowing");
-    }
-}
-
-}  // namespace
-
-void SceneBuilder::transform(const SourcePlace& place, const Imath::M44d& matrix) {
-    check_transform(place, matrix);
-    state_.frame.world_from_object = matrix;
-}
-
-void SceneBuilder::concat_transform(const SourcePlace& place, const Imath::M44d& matrix) {
-    check_transform(place, matrix);
-    transform(place, matrix * state_.frame.world_from_object);
-}
-
 // --- Options
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Camera");
+    require_rest(list.place, "a camera");
     scene_.camera = read_camera(list, state_.frame.world_from_object, exposure_time_s_);
+    const Imath::M44d world_from_camera = std::visit([](const auto& c) { return c.world_from_camera; }, scene_.camera);
+    coordinate_systems_["camera"] = {world_from_camera, world_from_camera};
 }
 
 void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {
@@ -50,7 +27,10 @@ void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {
 
 void SceneBuilder::sampler(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Sampler");
-    read_sampler(list, scene_.sampler, scene_.sampler_seed);
+    ReadSampler read = read_sampler(list);
+    scene_.sampler = read.sampler;
+    sampler_seed_ = read.seed;
+    if (!read.warning.empty()) warn(list.place, read.warning);
 }
 
 void SceneBuilder::pixel_filter(const SourcePlace& place, const ParameterList& list) {
@@ -60,7 +40,19 @@ void SceneBuilder::pixel_filter(const SourcePlace& place, const ParameterList& l
 
 void SceneBuilder::integrator(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Integrator");
-    scene_.integrator = read_integrator(list);
+    const ReadIntegrator read = read_integrator(list);
+    scene_.integrator = read.settings;
+    if (!read.warning.empty()) warn(list.place, read.warning);
+}
+
+void SceneBuilder::accelerator(const SourcePlace& place, const ParameterList& list) {
+    note_option(place, "Accelerator");
+    check_parameters(accelerator_table(), list);  // how rays are traced is no part of the picture
+}
+
+void SceneBuilder::option(const Token& name, const Token& value) {
+    const std::string warning = read_global_option(name, value, options_);
+    if (!warning.empty()) warn(name.place, warning);
 }
 
 void SceneBuilder::note_option(const SourcePlace& place, const std::string& directive) {
@@ -76,23 +68,12 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
     scene_.film.sensor.exposure_time_s = exposure_time_s_;
     check_sensor(place, scene_.film.sensor);
     state_.frame.world_from_object.makeIdentity();
+    state_.world_from_object_at_end.makeIdentity();
+    state_.active = ActiveTransform::all;
+    coordinate_system("world");
 }
 
 // --- World
-
-void SceneBuilder::attribute_begin(const SourcePlace& place) { saved_.push_back({state_, place}); }
-
-void SceneBuilder::attribute_end(const SourcePlace& place) {
-    if (saved_.empty())
-        throw SceneError(place, "AttributeEnd without its AttributeBegin", "as many of one as the other");
-    state_ = std::move(saved_.back().state);
-    saved_.pop_back();
-}
-
-void SceneBuilder::reverse_orientation() noexcept {
-    const bool reversed = state_.frame.orientation == Orientation::reversed;
-    state_.frame.orientation = reversed ? Orientation::as_given : Orientation::reversed;
-}
 
 Material SceneBuilder::read_material(const ParameterList& list) {
     const auto named = [this](const SourcePlace& place, const std::string& name) {
@@ -114,7 +95,8 @@ SceneBuilder::NamedMaterial& SceneBuilder::named_slot(const std::string& name) {
     return slot->second;
 }
 
-void SceneBuilder::material(const SourcePlace&, const ParameterList& list) {
+void SceneBuilder::material(const SourcePlace&, ParameterList list) {
+    inherit(AttributeTarget::material, material_table(), list);
     state_.material = add_material(read_material(list));
 }
 
@@ -133,6 +115,7 @@ void SceneBuilder::make_named_material(const SourcePlace& place, ParameterList l
     list.owner = type->strings.front();
     list.place = type->first_value;
     list.parameters.erase(type);
+    inherit(AttributeTarget::material, material_table(), list);
     Material made = read_material(list);
 
     NamedMaterial& slot = named_slot(name);
@@ -150,19 +133,30 @@ void SceneBuilder::named_material(const SourcePlace& place, const std::string& n
     state_.material = slot.material;
 }
 
-void SceneBuilder::texture(const TextureDeclaration& declaration, const ParameterList& list) {
+void SceneBuilder::texture(const TextureDeclaration& declaration, ParameterList list) {
+    inherit(AttributeTarget::texture, declaration.kind == "float" ? float_texture_table() : reflectance_texture_table(),
+            list);
+    warn_of_motion(list.place, "the texture");
     textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
 }
 
-void SceneBuilder::area_light_source(const SourcePlace&, const ParameterList& list) {
+void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
+    inherit(AttributeTarget::light, area_light_table(), list);
     state_.area_light = std::make_shared<const AreaLightSource>(read_area_light(list, spectra_));
 }
 
-void SceneBuilder::light_source(const SourcePlace&, const ParameterList& list) {
-    scene_.lights.push_back(read_light(list, state_.frame.world_from_object, spectra_));
+void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
+    inherit(AttributeTarget::light, light_table(), list);
+    warn_of_motion(list.place, "the light");
+    scene_.lights.push_back(read_light(list, {state_.frame.world_from_object, spectra_, files_, scene_.warnings}));
 }
 
-void SceneBuilder::shape(const SourcePlace&, const ParameterList& list) {
+void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
+    require_rest(list.place, "a shape");
+    inherit(AttributeTarget::shape, shape_table(), list);
+    if (state_.area_light && open_object_) {
+        warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
+    }
     for (Geometry& geometry : read_shape(list, state_.frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
 }
 
@@ -173,7 +167,9 @@ void SceneBuilder::add_shape(Geometry geometry) {
         if (default_material_ < 0) default_material_ = add_material(DiffuseMaterial{});
         shape.material = default_material_;
     }
-    if (state_.area_light) shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
+    if (state_.area_light && !open_object_) {
+        shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
+    }
     shape.geometry = std::move(geometry);
     scene_.shapes.push_back(std::move(shape));
 }
@@ -217,7 +213,8 @@ void SceneBuilder::check_mixes() const {
     }
 }
 
-void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
+void SceneBuilder::leave_out_interfaces() {
+    std::vector<Shape>& shapes = scene_.shapes;
     const auto is_interface = [this](const Shape& shape) {
         return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
     };
@@ -226,6 +223,12 @@ void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
         warn(*world_begin_,
              fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
                          dark == 1 ? "" : "s"));
+    }
+    // Objects are ranges of shapes, and close up with them.
+    std::vector<std::size_t> kept_before = {0};
+    for (const Shape& shape : shapes) kept_before.push_back(kept_before.back() + (is_interface(shape) ? 0 : 1));
+    for (Object& object : scene_.objects) {
+        object = {kept_before[object.first_shape], kept_before[object.end_shape]};
     }
     std::erase_if(shapes, is_interface);
 }
@@ -236,12 +239,13 @@ void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {
 
 Scene SceneBuilder::finish(const SourcePlace& end) {
     if (!world_begin_) throw SceneError(end, "the end of the file", "WorldBegin");
-    if (!saved_.empty()) {
-        throw SceneError(saved_.back().begin, "AttributeBegin without its AttributeEnd", "as many of one as the other");
-    }
+    require_closed_blocks();
     check_named_materials();
     check_mixes();
-    leave_out_interfaces(scene_.shapes);
+    leave_out_interfaces();
+    resolve_instances();
+    scene_.sampler_seed = sampler_seed_.value_or(options_.seed);
+    scene_.jitter = options_.jitter;
 
     const auto emits = [](const Shape& shape) { return shape.area_light.has_value(); };
     if (scene_.lights.empty() && std::none_of(scene_.shapes.begin(), scene_.shapes.end(), emits)) {

@@ -41,7 +41,9 @@ enum class SphericalMapping {
     equirectangular,  ///< longitude along x, latitude along y
 };
 
-/// Sees in all directions from the origin. z is up, as pbrt-v4 has it.
+/// Sees in all directions from the origin. With equal areas the middle of the picture is up (y), its corners are all
+/// down, and its right, lower, left and upper edges have their middles at x, z, -x and -z. Equirectangular pictures
+/// have up in the top row, and from left to right x, z, -x, -z and x again.
 struct SphericalCamera {
     Imath::M44d world_from_camera;
     SphericalMapping mapping = SphericalMapping::equal_area;

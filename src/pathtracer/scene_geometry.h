@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -83,14 +84,14 @@ struct Shape {
     std::optional<AreaLight> area_light;
 };
 
-/// Shapes that are seen only where instances of them stand: those of the scene from first_shape up to end_shape.
-struct Object {
-    std::size_t first_shape = 0, end_shape = 0;
+/// Shapes that are in the scene once for each instance, and not by themselves. They have no lights.
+struct ObjectDefinition {
+    std::string name;
+    std::vector<Shape> shapes;  ///< in the space of the object
 };
 
-/// An object, put somewhere. Its shapes are those of a space of its own; area lights among them do not shine.
-struct Instance {
-    std::size_t object = 0;  ///< index into Scene::objects
+struct ObjectInstance {
+    int object = 0;  ///< index into Scene::objects
     Imath::M44d world_from_object;
 };
 

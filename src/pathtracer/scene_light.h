@@ -36,12 +36,13 @@ struct PointLight {
     ScaledSpectrum intensity;  ///< W sr^-1 nm^-1
 };
 
-/// A point that shines into a cone: with full intensity up to the first angle from its axis, with none past the second.
+/// A point that shines into a cone about +z of light space: with full intensity up to the first angle from the axis,
+/// with none past the second, and in between with 3 t^2 - 2 t^3 of it, t rising evenly with the cosine.
 struct SpotLight {
     Imath::V3d position;
-    Imath::V3d axis;                        ///< unit vector
+    Imath::M44d light_from_world;           ///< of directions; where it stretches space, the cone is none
     ScaledSpectrum intensity;               ///< along the axis, W sr^-1 nm^-1
-    double cos_full = 1.0, cos_none = 0.0;  ///< cosines of the two angles; cos_full > cos_none
+    double cos_full = 1.0, cos_none = 0.0;  ///< cosines of the two angles; cos_full >= cos_none
 };
 
 struct DistantLight {
@@ -59,7 +60,7 @@ struct UniformInfiniteLight {
 struct ImageInfiniteLight {
     std::shared_ptr<const Image<RGB>> texels;  ///< linear RGB, >= 0
     ScaledSpectrum illuminant;                 ///< W m^-2 sr^-1 nm^-1 of the texel (1, 1, 1)
-    Imath::M44d world_from_light;              ///< a rotation, maybe mirrored
+    Imath::M44d world_from_light;              ///< of directions: a rotation, maybe mirrored
 };
 
 using Light = std::variant<PointLight, SpotLight, DistantLight, UniformInfiniteLight, ImageInfiniteLight>;

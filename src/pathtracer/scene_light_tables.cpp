@@ -25,21 +25,30 @@ constexpr auto kAreaLights = std::to_array<Implementation>({{"diffuse", kDiffuse
 constexpr ImplementationTable kAreaLightTable = {"area light", kAreaLights};
 
 constexpr auto kPoint = std::to_array<ParameterSpec>({kIntensity, kScale, kPower, kFrom});
+constexpr auto kSpot = std::to_array<ParameterSpec>({
+    kIntensity,
+    kScale,
+    kPower,
+    kFrom,
+    kTo,
+    {.name = "coneangle", .range = positive},
+    {.name = "conedeltaangle", .range = not_negative},
+});
 constexpr auto kDistant = std::to_array<ParameterSpec>({kRadiance, kScale, kIlluminance, kFrom, kTo});
 constexpr auto kInfinite = std::to_array<ParameterSpec>({
     kRadiance,
     kScale,
     kIlluminance,
-    {.name = "filename", .support = pbrt_only},
+    {.name = "filename", .kind = string},
     {.name = "portal", .support = pbrt_only},
 });
 constexpr auto kLights = std::to_array<Implementation>({
     {"point", kPoint},
+    {"spot", kSpot},
     {"distant", kDistant},
     {"infinite", kInfinite},
     {"goniometric", {}, pbrt_only},
     {"projection", {}, pbrt_only},
-    {"spot", {}, pbrt_only},
 });
 constexpr ImplementationTable kLightTable = {"light source", kLights};
 

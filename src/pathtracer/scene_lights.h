@@ -1,22 +1,37 @@
 #pragma once
 // LightSource and AreaLightSource. All light spectra are normalised as pbrt-v4 does: `scale` is luminance in cd/m^2 (an
-// L of area and infinite lights), intensity in cd (I of point lights), illuminance in lux (L of distant lights), for a
-// spectrum as such or an RGB light that is white. `power` in lumen and `illuminance` in lux multiply with it.
+// L of area and infinite lights), intensity in cd (I of point and spot lights), illuminance in lux (L of distant
+// lights), for a spectrum as such or an RGB light that is white. `power` in lumen and `illuminance` in lux multiply
+// with it.
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <Imath/ImathMatrix.h>
 
 #include "pathtracer/scene.h"
+#include "pathtracer/scene_files.h"
 #include "pathtracer/scene_parameters.h"
 #include "pathtracer/scene_spectra.h"
 
 namespace emulsion {
 
-/// \throws SceneError for parameters that make no light; `world_from_object` is the current transformation.
-[[nodiscard]] Light read_light(const ParameterList& list, const Imath::M44d& world_from_object,
-                               SpectrumReader& spectra);
+/// What a LightSource directive stands in: the current transformation, what reads its spectra and files, and where
+/// warnings go.
+struct LightContext {
+    Imath::M44d world_from_object;
+    SpectrumReader& spectra;
+    SceneFiles& files;
+    std::vector<std::string>& warnings;
+};
+
+/// \throws SceneError for parameters that make no light, and for a picture that can't be read.
+[[nodiscard]] Light read_light(const ParameterList& list, const LightContext& context);
+
+/// \throws SceneError if the light is too bright, at some wavelength, for the renderer's single precision.
+void check_brightness(const ScaledSpectrum& light, const SourcePlace& place);
 
 /// What an AreaLightSource says about the shapes that follow it.
 struct AreaLightSource {

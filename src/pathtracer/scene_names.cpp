@@ -17,14 +17,18 @@ void throw_unsupported(const SourcePlace& place, const NameRole& role, std::stri
                        std::span<const KnownName> known) {
     std::vector<std::string_view> all, supported;
     bool known_to_pbrt = false;
+    std::string_view advice;
     for (const KnownName& row : known) {
         all.push_back(row.name);
         if (row.support == Support::here) supported.push_back(row.name);
-        known_to_pbrt |= row.name == name;
+        if (row.name != name) continue;
+        known_to_pbrt = true;
+        advice = row.advice;
     }
     const std::string named = fmt::format("{} {}{}", role.what, quote(name), role.of);
     if (!known_to_pbrt) throw SceneError(place, "unknown " + named, "a known one" + nearest_hint(name, all));
 
+    if (!advice.empty()) throw SceneError(place, named, fmt::format("a supported one ({})", advice));
     const std::string choice = supported.empty() ? "none" : fmt::format("{}", fmt::join(supported, ", "));
     throw SceneError(place, named,
                      "a supported one (known to pbrt-v4 and not yet supported here; supported: " + choice + ")");

@@ -20,6 +20,7 @@ enum class Support {
 struct KnownName {
     std::string_view name;
     Support support = Support::here;
+    std::string_view advice = {};  ///< what to do if it is not supported
 };
 
 /// " (nearest known name: "sphere")"; the list of names if none is near and they are few; else nothing.
@@ -44,11 +45,15 @@ template <class Row>
         if constexpr (requires { row.support; }) return row.support;
         return Support::here;
     };
+    const auto advice_of = [](const Row& row) {
+        if constexpr (requires { row.advice; }) return row.advice;
+        return std::string_view();
+    };
     for (const Row& row : table) {
         if (row.name == name && support_of(row) == Support::here) return row;
     }
     std::vector<KnownName> known;
-    for (const Row& row : table) known.push_back({row.name, support_of(row)});
+    for (const Row& row : table) known.push_back({row.name, support_of(row), advice_of(row)});
     throw_unsupported(place, role, name, known);
 }
 

@@ -27,48 +27,37 @@ void map_geometry(Quadric& quadric, const Imath::M44d& map) {
 
 }  // namespace
 
-Scene with_settled_objects(Scene scene) {
-    if (scene.objects.empty()) return scene;
-
-    // What stands where.
+std::vector<ShapeRange> settle_objects(Scene& scene) {
     std::vector<std::size_t> uses(scene.objects.size(), 0);
     std::vector<Imath::M44d> place(scene.objects.size());
-    for (const Instance& instance : scene.instances) {
-        ++uses[instance.object];
-        place[instance.object] = instance.world_from_object;
-    }
-    std::vector<bool> in_object(scene.shapes.size(), false);
-    for (const Object& object : scene.objects) {
-        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
-            in_object[i] = true;
-            scene.shapes[i].area_light.reset();
-        }
+    for (const ObjectInstance& instance : scene.instances) {
+        const auto number = static_cast<std::size_t>(instance.object);
+        ++uses.at(number);
+        place[number] = instance.world_from_object;
     }
 
-    // The shapes of the scene first, then those of one object after the other.
-    std::vector<Shape> shapes;
-    std::vector<Object> objects;
-    std::vector<std::size_t> new_number(scene.objects.size(), 0);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        if (!in_object[i]) shapes.push_back(std::move(scene.shapes[i]));
-    }
+    std::vector<ShapeRange> ranges;
+    std::vector<int> new_number(scene.objects.size(), 0);
     for (std::size_t number = 0; number < scene.objects.size(); ++number) {
         if (uses[number] == 0) continue;
-        const Object& object = scene.objects[number];
-        const std::size_t first = shapes.size();
-        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
-            shapes.push_back(std::move(scene.shapes[i]));
-            if (uses[number] > 1) continue;
-            std::visit([&](auto& geometry) { map_geometry(geometry, place[number]); }, shapes.back().geometry);
+        const std::size_t first = scene.shapes.size();
+        for (Shape& shape : scene.objects[number].shapes) {
+            shape.area_light.reset();
+            if (uses[number] == 1) {
+                std::visit([&](auto& geometry) { map_geometry(geometry, place[number]); }, shape.geometry);
+            }
+            scene.shapes.push_back(std::move(shape));
         }
-        new_number[number] = objects.size();
-        if (uses[number] > 1) objects.push_back({first, shapes.size()});
+        new_number[number] = static_cast<int>(ranges.size());
+        if (uses[number] > 1) ranges.push_back({first, scene.shapes.size()});
     }
-    std::erase_if(scene.instances, [&](const Instance& instance) { return uses[instance.object] == 1; });
-    for (Instance& instance : scene.instances) instance.object = new_number[instance.object];
-    scene.shapes = std::move(shapes);
-    scene.objects = std::move(objects);
-    return scene;
+    std::erase_if(scene.instances,
+                  [&](const ObjectInstance& i) { return uses[static_cast<std::size_t>(i.object)] == 1; });
+    for (ObjectInstance& instance : scene.instances) {
+        instance.object = new_number[static_cast<std::size_t>(instance.object)];
+    }
+    scene.objects.clear();
+    return ranges;
 }
 
 }  // namespace emulsion

@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pathtracer/scene_transform.h"
-
 namespace emulsion {
 
 namespace {
@@ -37,13 +35,6 @@ int integer_up_to(int most, const ParameterList& list, std::string_view name, in
     if (value <= most) return value;
     throw SceneError(find_parameter(list, name)->first_value, fmt::format(R"({} for parameter "{}")", value, name),
                      fmt::format("at most {}", most));
-}
-
-/// \throws SceneError unless products and quotients of a few such numbers stay finite and above 0.
-double checked_exposure(const SourcePlace& place, double value, std::string_view what, std::string_view expected) {
-    using Float = std::numeric_limits<float>;
-    if (value >= Float::min() && value <= Float::max()) return value;
-    throw SceneError(place, fmt::format("{} {}", what, value), std::string(expected));
 }
 
 /// None where the scene gives none, or 0.
@@ -160,38 +151,42 @@ struct SamplerReader {
 constexpr auto kSamplerReaders = std::to_array<SamplerReader>(
     {{"independent", read_independent}, {"paddedsobol", read_padded_sobol}, {"stratified", read_stratified}});
 
+/// Radiance in buckets of wavelengths, of film "spectral".
+SpectralBuckets read_buckets(const ParameterList& list) {
+    const SpectralBuckets buckets{integer_or(list, "nbuckets", 16), real_or(list, "lambdamin", kMinWavelength_nm),
+                                  real_or(list, "lambdamax", kMaxWavelength_nm)};
+    if (buckets.min_nm < kMinWavelength_nm || buckets.max_nm > kMaxWavelength_nm) {
+        throw SceneError(
+            list.place, fmt::format("wavelengths from {:g} to {:g} nm", buckets.min_nm, buckets.max_nm),
+            fmt::format("some of those that paths have, from {} to {} nm", kMinWavelength_nm, kMaxWavelength_nm));
+    }
+    try {
+        validate(buckets);
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(list.place, fmt::format("buckets of wavelengths that can't be ({})", error.what()),
+                         "\"lambdamin\" below \"lambdamax\", and from 1 to 1024 \"nbuckets\" between them");
+    }
+    return buckets;
+}
+
+/// What is said of an implementation that another stands for, and of the list's parameters without effect.
+std::string taken_as_warning(const ImplementationTable& table, const Implementation& given, const ParameterList& list) {
+    std::vector<std::string> ignored;
+    for (const ParameterSpec& spec : given.parameters) {
+        if (spec.is_ignored && find_parameter(list, spec.name) != nullptr) ignored.push_back(quote(spec.name));
+    }
+    std::string warning = fmt::format("{} {} is taken as {}: the same picture with other noise", table.noun,
+                                      quote(given.name), quote(given.taken_as));
+    if (!ignored.empty()) warning += fmt::format("; of no effect: {}", fmt::join(ignored, ", "));
+    return warning;
+}
+
 }  // namespace
 
-Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, double& exposure_time_s) {
-    check_parameters(camera_table(), list);
-    PerspectiveCamera camera;
-    const std::optional<Imath::M44d> inverse = inverse_of(camera_from_world);
-    if (!inverse) throw SceneError(list.place, "a camera under a transformation without inverse", "another one");
-    camera.world_from_camera = *inverse;
-    const Imath::V3d position = inverse->translation();
-    if (!is_within_reach(position)) {
-        throw SceneError(list.place, fmt::format("a camera at ({:g}, {:g}, {:g})", position.x, position.y, position.z),
-                         std::string(kWithinReach));
-    }
-    camera.fov_deg = real_or(list, "fov", camera.fov_deg);
-    if (!(camera.fov_deg < 180.0)) {
-        throw SceneError(find_parameter(list, "fov")->first_value, fmt::format("a field of view of {}", camera.fov_deg),
-                         "an angle above 0 and below 180 degrees");
-    }
-    if (find_parameter(list, "frameaspectratio") != nullptr) {
-        camera.screen.frame_aspect_ratio = real_or(list, "frameaspectratio", 1.0);
-    }
-    if (const SceneParameter* const window = find_parameter(list, "screenwindow")) {
-        auto& values = camera.screen.bounds.emplace();
-        std::copy_n(window->numbers.begin(), values.size(), values.begin());
-        if (values[0] == values[1] || values[2] == values[3]) {
-            throw SceneError(window->first_value, "a screen window without area", "x min, x max, y min, y max");
-        }
-    }
-    const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
-    exposure_time_s =
-        checked_exposure(list.place, time_s, "an exposure time of", R"("shutterclose" after "shutteropen")");
-    return camera;
+double checked_exposure(const SourcePlace& place, double value, std::string_view what, std::string_view expected) {
+    using Float = std::numeric_limits<float>;
+    if (value >= Float::min() && value <= Float::max()) return value;
+    throw SceneError(place, fmt::format("{} {}", what, value), std::string(expected));
 }
 
 void read_film(const ParameterList& list, FilmSettings& film) {
@@ -210,6 +205,7 @@ void read_film(const ParameterList& list, FilmSettings& film) {
     film.sensor.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",
                                        "a number that single precision holds");
     film.sensor.white_balance = read_white_balance(list);
+    if (list.owner == "spectral") film.spectrum = read_buckets(list);
 }
 
 void check_sensor(const SourcePlace& place, const SensorOptions& sensor) {
@@ -219,10 +215,20 @@ void check_sensor(const SourcePlace& place, const SensorOptions& sensor) {
                      fmt::format("from {:g} to {:g}", kMinImagingRatio, kMaxImagingRatio));
 }
 
-void read_sampler(const ParameterList& list, Sampler& sampler, int& seed) {
-    check_parameters(sampler_table(), list);
-    sampler = supported_row<SamplerReader>(list.place, {"sampler"}, list.owner, kSamplerReaders).read(list);
-    seed = integer_or(list, "seed", 0);
+ReadSampler read_sampler(const ParameterList& list) {
+    const Implementation& given = check_parameters(sampler_table(), list);
+    ReadSampler read;
+    const std::string_view taken_as = given.taken_as.empty() ? given.name : given.taken_as;
+    read.sampler = supported_row<SamplerReader>(list.place, {"sampler"}, taken_as, kSamplerReaders).read(list);
+    if (find_parameter(list, "seed") != nullptr) read.seed = integer_or(list, "seed", 0);
+    const std::string randomization = string_or(list, "randomization", "owen");
+    if (!given.taken_as.empty()) {
+        read.warning = taken_as_warning(sampler_table(), given, list);
+    } else if (randomization != "owen" && randomization != "fastowen") {
+        read.warning =
+            fmt::format("randomization {} of sampler {} is taken as \"owen\"", quote(randomization), quote(given.name));
+    }
+    return read;
 }
 
 Filter read_filter(const ParameterList& list) {
@@ -238,9 +244,12 @@ Filter read_filter(const ParameterList& list) {
     return filter;
 }
 
-PathIntegratorSettings read_integrator(const ParameterList& list) {
-    check_parameters(integrator_table(), list);
-    return {integer_or(list, "maxdepth", PathIntegratorSettings{}.max_depth)};
+ReadIntegrator read_integrator(const ParameterList& list) {
+    const Implementation& given = check_parameters(integrator_table(), list);
+    ReadIntegrator read;
+    read.settings.max_depth = integer_or(list, "maxdepth", read.settings.max_depth);
+    if (!given.taken_as.empty()) read.warning = taken_as_warning(integrator_table(), given, list);
+    return read;
 }
 
 }  // namespace emulsion

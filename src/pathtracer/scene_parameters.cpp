@@ -1,5 +1,6 @@
 #include "pathtracer/scene_parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -144,6 +145,35 @@ std::vector<SceneParameter> read_parameters(Lexer& lexer) {
         parameters.push_back(std::move(parameter));
     }
     return parameters;
+}
+
+ColorSpace color_space_of(const SourcePlace& place, std::string_view name) {
+    struct SpaceName {
+        std::string_view name;
+        ColorSpace space;
+    };
+    constexpr auto kSpaces = std::to_array<SpaceName>({{"srgb", ColorSpace::srgb},
+                                                       {"rec2020", ColorSpace::rec2020},
+                                                       {"dci-p3", ColorSpace::dci_p3},
+                                                       {"aces2065-1", ColorSpace::aces2065_1}});
+    std::string key(name);
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+    return supported_row<SpaceName>(place, {"colour space"}, key, kSpaces).space;
+}
+
+void inherit_parameters(const ImplementationTable& table, ParameterList& list,
+                        const std::vector<SceneParameter>& inherited) {
+    const auto named = [](std::string_view name) { return [name](const auto& row) { return row.name == name; }; };
+    const auto owner = std::find_if(table.implementations.begin(), table.implementations.end(), named(list.owner));
+    if (owner == table.implementations.end()) return;  // an error that is found later
+    for (std::size_t i = inherited.size(); i-- > 0;) {
+        const SceneParameter& parameter = inherited[i];
+        const auto& known = owner->parameters;
+        if (find_parameter(list, parameter.name) != nullptr) continue;
+        if (std::none_of(known.begin(), known.end(), named(parameter.name))) continue;
+        list.parameters.push_back(parameter);
+    }
 }
 
 const SceneParameter* find_parameter(const ParameterList& list, std::string_view name) noexcept {

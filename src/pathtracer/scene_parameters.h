@@ -32,19 +32,28 @@ enum class DeclaredType {
     texture
 };
 
+/// The RGB spaces that pbrt-v4 has. "dci-p3" has the white D65 there: Display P3.
+enum class ColorSpace { srgb, rec2020, dci_p3, aces2065_1 };
+
+/// The space of that name, in large or small letters.
+/// \throws SceneError at `place` if there is none.
+[[nodiscard]] ColorSpace color_space_of(const SourcePlace& place, std::string_view name);
+
 struct SceneParameter {
     SourcePlace place;        ///< of the string that declares it
     SourcePlace first_value;  ///< of its first value
     DeclaredType type = DeclaredType::real;
     std::string name;
-    std::vector<double> numbers;       ///< finite; of flags: 0 and 1; of points: x y z x y z ...
-    std::vector<std::string> strings;  ///< of strings, textures, and spectra given by name
+    std::vector<double> numbers;                ///< finite; of flags: 0 and 1; of points: x y z x y z ...
+    std::vector<std::string> strings;           ///< of strings, textures, and spectra given by name
+    ColorSpace color_space = ColorSpace::srgb;  ///< of the three numbers of an rgb parameter
 };
 
 struct ParameterList {
     std::string owner;  ///< in messages: sphere for Shape "sphere"
     SourcePlace place;  ///< of the string that names the owner
     std::vector<SceneParameter> parameters;
+    ColorSpace color_space = ColorSpace::srgb;  ///< in force where the directive stands
 };
 
 /// Reads parameters until a token that can't begin one.
@@ -54,6 +63,11 @@ struct ParameterList {
 /// The implementation of the list's owner; every parameter of the list is checked against its table.
 /// \throws SceneError naming the token at fault.
 const Implementation& check_parameters(const ImplementationTable& table, const ParameterList& list);
+
+/// Adds those of `inherited` that the implementation of the list's owner knows and the list does not have, the later of
+/// two with one name.
+void inherit_parameters(const ImplementationTable& table, ParameterList& list,
+                        const std::vector<SceneParameter>& inherited);
 
 /// Unset (nullptr) if the list has none of this name.
 [[nodiscard]] const SceneParameter* find_parameter(const ParameterList& list, std::string_view name) noexcept;

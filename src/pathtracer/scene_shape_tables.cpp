@@ -15,7 +15,7 @@ constexpr ParameterSpec kIndices = {.name = "indices", .kind = integer, .count =
 constexpr ParameterSpec kPositions = {.name = "P", .kind = point3, .count = 0};
 constexpr ParameterSpec kNormals = {.name = "N", .kind = normal, .count = 0};
 constexpr ParameterSpec kTextureCoordinates = {.name = "uv", .kind = point2, .count = 0};
-constexpr ParameterSpec kAlpha = {.name = "alpha", .support = pbrt_only};
+constexpr ParameterSpec kAlpha = {.name = "alpha", .only = 1.0};
 constexpr ParameterSpec kFaceIndices = {.name = "faceIndices", .support = pbrt_only};
 
 constexpr auto kTriangleMesh = std::to_array<ParameterSpec>({
@@ -59,7 +59,10 @@ constexpr auto kShapes = std::to_array<Implementation>({
     {"disk", kDisk},
     {"cylinder", kCylinder},
     {"curve", {}, pbrt_only},
-    {"loopsubdiv", {}, pbrt_only},
+    {.name = "loopsubdiv",
+     .support = pbrt_only,
+     .advice = "surfaces are not subdivided here: its control cage, the \"indices\" and \"P\", can be given as a "
+               "\"trianglemesh\""},
 });
 constexpr ImplementationTable kShapeTable = {"shape", kShapes};
 

@@ -1,6 +1,7 @@
 #include "pathtracer/scene_spectra.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -146,25 +147,28 @@ double unit_scale(const Spectrum& spectrum) { return 1.0 / (kLuminousEfficacy * 
 
 }  // namespace
 
-const RgbUplift& SpectrumReader::uplift() {
-    if (!uplift_) uplift_.emplace(rgb_space("sRGB"));
-    return *uplift_;
+const RgbUplift& SpectrumReader::uplift(ColorSpace space) {
+    constexpr std::array<std::string_view, kColorSpaces> kNames = {"sRGB", "Rec2020", "Display_P3", "ACES2065_1_AP0"};
+    const auto index = static_cast<std::size_t>(space);
+    auto& uplift = uplifts_.at(index);
+    if (!uplift) uplift.emplace(rgb_space(kNames.at(index)));
+    return *uplift;
 }
 
 Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
     if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kReflectanceBounds);
-    return uplift().reflectance(rgb_of(parameter, kReflectanceBounds));
+    return uplift(parameter.color_space).reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 
 Spectrum SpectrumReader::index_of_refraction(const SceneParameter& parameter) {
     if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kUnboundedBounds);
-    return uplift().unbounded(rgb_of(parameter, kUnboundedBounds));
+    return uplift(parameter.color_space).unbounded(rgb_of(parameter, kUnboundedBounds));
 }
 
 ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
-    Spectrum spectrum = parameter.type == DeclaredType::rgb
-                            ? Spectrum(uplift().light(rgb_of(parameter, kUnboundedBounds)))
-                            : spectrum_of(parameter, *files_, kUnboundedBounds);
+    const bool is_rgb = parameter.type == DeclaredType::rgb;
+    Spectrum spectrum = is_rgb ? uplift(parameter.color_space).light(rgb_of(parameter, kUnboundedBounds))
+                               : spectrum_of(parameter, *files_, kUnboundedBounds);
     const double scale = unit_scale(spectrum);
     if (!(scale > 0.0) || !std::isfinite(scale)) {
         throw SceneError(parameter.first_value, "a light spectrum without visible light",
@@ -173,13 +177,14 @@ ScaledSpectrum SpectrumReader::light(const SceneParameter& parameter) {
     return {std::move(spectrum), scale};
 }
 
-const ScaledSpectrum& SpectrumReader::default_light() {
-    if (!default_light_) {
-        Spectrum spectrum = named_spectrum("stdillum-D65").value();
+const ScaledSpectrum& SpectrumReader::default_light(ColorSpace space) {
+    auto& light = default_lights_.at(static_cast<std::size_t>(space));
+    if (!light) {
+        Spectrum spectrum = uplift(space).illuminant();
         const double scale = unit_scale(spectrum);
-        default_light_.emplace(ScaledSpectrum{std::move(spectrum), scale});
+        light.emplace(ScaledSpectrum{std::move(spectrum), scale});
     }
-    return *default_light_;
+    return *light;
 }
 
 }  // namespace emulsion

@@ -1,12 +1,14 @@
 #pragma once
 // Spectrum parameters to spectra:
 //
-//     "rgb L" [ r g b ]                   linear sRGB; a smooth spectrum of that colour (spectrum/rgb_uplift.h)
+//     "rgb L" [ r g b ]                   linear, in the space that ColorSpace names or sRGB; a smooth spectrum of that
+//                                         colour under that space's illuminant (spectrum/rgb_uplift.h)
 //     "blackbody L" [ T ]                 Planck's law at T kelvin, greatest value 1
 //     "spectrum L" [ nm value nm value ]  straight lines between the points, 0 outside them
 //     "spectrum L" "stdillum-A"           a named spectrum (spectrum/named_spectra.h)
 //     "spectrum L" "lamp.spd"             a file of pairs as above, # begins a comment; relative to the scene file
 
+#include <array>
 #include <optional>
 
 #include "pathtracer/scene.h"
@@ -36,16 +38,18 @@ class SpectrumReader {
     /// \throws SceneError if it is malformed, unknown, negative anywhere, or 0 wherever it could be seen.
     [[nodiscard]] ScaledSpectrum light(const SceneParameter& parameter);
 
-    /// The same of lights that have no such parameter: "stdillum-D65".
-    [[nodiscard]] const ScaledSpectrum& default_light();
+    /// The same of lights that have no such parameter: the illuminant of the colour space, D65 but for "aces2065-1".
+    [[nodiscard]] const ScaledSpectrum& default_light(ColorSpace space);
 
   private:
-    [[nodiscard]] const RgbUplift& uplift();
+    static constexpr std::size_t kColorSpaces = 4;
+
+    [[nodiscard]] const RgbUplift& uplift(ColorSpace space);
 
     SceneFiles* files_;
-    // Both are made when they are first asked for.
-    std::optional<RgbUplift> uplift_;
-    std::optional<ScaledSpectrum> default_light_;
+    // By ColorSpace; made when they are first asked for.
+    std::array<std::optional<RgbUplift>, kColorSpaces> uplifts_;
+    std::array<std::optional<ScaledSpectrum>, kColorSpaces> default_lights_;
 };
 
 }  // namespace emulsion

@@ -39,6 +39,7 @@ struct ParameterSpec {
     Support support = Support::here;
     std::optional<double> only = std::nullopt;  ///< the one number (or 0/1 for a flag) that we support
     std::span<const KnownName> choices = {};    ///< of a string; empty: any
+    bool is_ignored = false;                    ///< read and checked, and of no effect on the picture
 };
 
 /// One value of a directive's first string: Shape "sphere".
@@ -46,6 +47,8 @@ struct Implementation {
     std::string_view name;
     std::span<const ParameterSpec> parameters = {};
     Support support = Support::here;
+    std::string_view taken_as = {};  ///< the implementation that stands for it, with the same picture; empty: itself
+    std::string_view advice = {};    ///< what to do if it is not supported, for its error
 };
 
 /// A kind of directive that takes a name and parameters.
@@ -59,6 +62,7 @@ struct ImplementationTable {
 [[nodiscard]] const ImplementationTable& sampler_table() noexcept;
 [[nodiscard]] const ImplementationTable& filter_table() noexcept;
 [[nodiscard]] const ImplementationTable& integrator_table() noexcept;
+[[nodiscard]] const ImplementationTable& accelerator_table() noexcept;
 [[nodiscard]] const ImplementationTable& float_texture_table() noexcept;
 [[nodiscard]] const ImplementationTable& reflectance_texture_table() noexcept;
 [[nodiscard]] const ImplementationTable& material_table() noexcept;

@@ -16,7 +16,7 @@ TEST(Accelerator, FindsTheFirstHitWithItsCoordinates) {
     Scene scene;
     scene.shapes = {{parallelogram({-1, -1, 3}, {2, 0, 0}, {0, 2, 0}), 0, {}},
                     {parallelogram({-1, -1, 2}, {2, 0, 0}, {0, 2, 0}), 0, {}}};
-    const Accelerator accelerator(scene, 1);
+    const Accelerator accelerator(scene, {}, 1);
     // More rays than any packet is wide, and no multiple of it.
     std::vector<Ray> rays(37, Ray{{0.5f, -0.25f, 0}, {0, 0, 1}});
     rays[20].direction = {0, 0, -1};
@@ -45,7 +45,7 @@ TEST(Accelerator, FindsTheFirstHitWithItsCoordinates) {
 
 TEST(Accelerator, AnEmptySceneIsHitByNothing) {
     const Scene none;
-    const Accelerator accelerator(none, 1);
+    const Accelerator accelerator(none, {}, 1);
     const std::vector<Ray> rays(3, Ray{{0, 0, 0}, {0, 0, 1}});
     std::vector<Hit> hits(3);
     accelerator.intersect(rays, hits);
@@ -59,7 +59,7 @@ TEST(Accelerator, SpheresAndEllipsoidsAreHitWhereTheFormulaSays) {
     world_from_object[3][0] = 10.0;
     Scene scene;
     scene.shapes = {{Sphere{world_from_object, 1.5}, 0, {}}};
-    const Accelerator accelerator(scene, 1);
+    const Accelerator accelerator(scene, {}, 1);
     const PreparedSphere sphere(std::get<Sphere>(scene.shapes[0].geometry));
     EXPECT_FALSE(sphere.world_centre.has_value());
 

@@ -1,6 +1,7 @@
 // A diffuse floor of reflectance r seen from above has radiance r E / pi: the irradiance E of each kind of light
 // against its closed form.
 
+#include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,34 @@ TEST_P(Irradiance, PointLightFollowsCosineAndInverseSquare) {
     scene.lights = {PointLight{{1.0, 2.0, 3.0}, {emission_, 1.0}}};
     const double distance2 = 14.0, cosine = 3.0 / std::sqrt(distance2);
     expect_irradiance(scene, 0.0f, 0.0f, reflectance_, emission_, cosine / distance2, 100);
+}
+
+TEST_P(Irradiance, SpotLightFadesTowardsItsEdge) {
+    Scene scene = floor_scene(reflectance_);
+    // 2 above the floor, shining straight down: at x the cosine to the axis is that of the floor.
+    SpotLight spot;
+    spot.position = {0.0, 0.0, 2.0};
+    spot.light_from_world = Imath::M44d(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
+    spot.intensity = {emission_, 1.0};
+    spot.cos_full = 0.9;
+    spot.cos_none = 0.7;
+    scene.lights = {spot};
+    const auto irradiance = [](double x) {
+        const double distance2 = x * x + 4.0, cosine = 2.0 / std::sqrt(distance2);
+        const double t = std::clamp((cosine - 0.7) / (0.9 - 0.7), 0.0, 1.0);
+        return t * t * (3.0 - 2.0 * t) * cosine / distance2;
+    };
+    for (const float x : {0.0f, 0.5f, 1.2f, 1.5f, 1.9f}) {
+        expect_irradiance(scene, x, 0.0f, reflectance_, emission_, irradiance(static_cast<double>(x)), 100);
+    }
+    const auto outside = estimate_radiance(scene, towards_floor(2.1f, 0.0f), 100, GetParam());
+    for (const double radiance : outside.mean) EXPECT_EQ(radiance, 0.0);
+    // Nothing goes up.
+    spot.light_from_world = Imath::M44d();
+    scene.lights = {spot};
+    for (const double radiance : estimate_radiance(scene, towards_floor(0, 0), 100, GetParam()).mean) {
+        EXPECT_EQ(radiance, 0.0);
+    }
 }
 
 TEST_P(Irradiance, DistantLightFollowsCosine) {

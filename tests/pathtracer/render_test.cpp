@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic_scenes.h"
+#include "pathtracer/scene_transform.h"
 
 namespace emulsion::testing {
 namespace {
@@ -71,6 +72,58 @@ TEST(Render, AddsExactlyTheSamplesAskedFor) {
         EXPECT_EQ(film.max_samples_per_pixel(), static_cast<std::uint64_t>(samples));
         EXPECT_EQ(progress.samples_done, 20 * 17 * samples);
     }
+}
+
+Film pictured(const Scene& scene, const RenderOptions& options) {
+    const PreparedScene prepared(scene, 1);
+    Film film(film_options(scene));
+    RenderProgress progress;
+    render(prepared, options, film, progress);
+    return film;
+}
+
+/// A lamp that all rays of a camera meet or miss by their directions alone: no other numbers are drawn.
+Scene lamp_alone() {
+    Scene scene;
+    scene.materials = {DiffuseMaterial{}};
+    scene.shapes = {{Sphere{translation({0, 0, 3}), 1.0}, 0, AreaLight{{slope(0.3, 0.8), 1.0}}}};
+    scene.film.width_px = scene.film.height_px = 16;
+    scene.integrator.max_depth = 0;
+    return scene;
+}
+
+TEST(Render, WithoutJitterAllPathsOfAPixelAreOne) {
+    Scene scene = lamp_alone();
+    std::get<PerspectiveCamera>(scene.camera).lens = {0.2, 2.0};
+    scene.jitter = {.pixel = false, .wavelength = false};
+    const auto image = [&](std::uint64_t seed, int samples) {
+        return pictured(scene, {.samples_per_pixel = samples, .seed = seed, .threads = 1}).xyz_image();
+    };
+    EXPECT_TRUE(image(1, 1) == image(2, 1));
+    EXPECT_TRUE(image(1, 1) == image(1, 4));
+    scene.jitter = {.pixel = true, .wavelength = false};
+    EXPECT_FALSE(image(1, 1) == image(2, 1));
+    scene.jitter = {.pixel = false, .wavelength = true};
+    EXPECT_FALSE(image(1, 1) == image(2, 1));
+}
+
+/// The lens draws numbers only where there is one: pictures of pinholes stay what they are.
+TEST(Render, LensesBlurWhatIsOutOfFocus) {
+    const auto edge_pixels = [](double radius, double focal_distance) {
+        Scene scene = lamp_alone();
+        scene.film.width_px = scene.film.height_px = 32;
+        std::get<PerspectiveCamera>(scene.camera).lens = {radius, focal_distance};
+        const Image<XYZ> image = pictured(scene, {.samples_per_pixel = 16, .threads = 1}).xyz_image();
+        const float full = image(16, 16).y;
+        int partly = 0;
+        for (int x = 0; x < 32; ++x) partly += image(x, 16).y > 0.02f * full && image(x, 16).y < 0.7f * full ? 1 : 0;
+        return partly;
+    };
+    // The sphere's rim is 2.67 away (9 - 1 over 3). With a lens of radius 0.5 focused at 1000, its circle of confusion
+    // is 0.5 (1 - 2.67 / 1000), 1 across: 6 pixels of 32 x 2 / 2.67 on either side.
+    EXPECT_LE(edge_pixels(0.0, 1000.0), 2);
+    EXPECT_LE(edge_pixels(0.5, 8.0 / 3.0), 4);
+    EXPECT_GE(edge_pixels(0.5, 1000.0), 6);
 }
 
 TEST(Render, RefusesOptionsOutOfRange) {

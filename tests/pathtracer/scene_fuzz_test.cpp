@@ -17,7 +17,7 @@
 namespace emulsion {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSeeds = {
+constexpr std::array<std::string_view, 3> kSeeds = {
     R"(# options
 Scale -1 1 1 LookAt 1 2 3 0 0 0 0 1 0 Rotate 30 1 0 0
 Camera "perspective" "float fov" 39.5 "float screenwindow" [ -1 1 -1 1 ] "float shutterclose" .5
@@ -40,9 +40,20 @@ AttributeBegin
 AttributeEnd
 ConcatTransform [ 0 1 0 0 -1 0 0 0 0 0 1 0 10 20 30 1 ] Material "diffuse"
 Shape "bilinearmesh" "point3 P" [ 0 0 0 1 0 0 0 1 0 1 1 0 ]
+)",
+    R"(Option "disablepixeljitter" true Option "integer seed" [ 7 ] ColorSpace "rec2020" Accelerator "bvh"
+TransformTimes 0 1 Translate 0 0 -5 Camera "orthographic" "float lensradius" .1 "float focaldistance" 4
+Film "spectral" "integer nbuckets" 8 "float lambdamin" 400 Sampler "halton" "string randomization" "owen"
+Integrator "volpath" MediumInterface "" CoordinateSystem "before" ActiveTransform All
+WorldBegin LightSource "infinite" "rgb L" [ 1 .5 .25 ] Attribute "shape" "float radius" 2
+ObjectBegin "ball" TransformBegin Scale 2 2 2 Shape "sphere" "float alpha" 1 TransformEnd Material "interface"
+  Shape "sphere" ObjectEnd
+AttributeBegin CoordSysTransform "camera" ObjectInstance "ball" Attribute "material" "rgb reflectance" [ .1 .2 .3 ]
+  Material "diffuse" ColorSpace "aces2065-1" Material "diffuse" Shape "sphere" ActiveTransform StartTime
+AttributeEnd CoordSysTransform "before" ObjectInstance "ball" MediumInterface "" ""
 )"};
 
-constexpr std::array<std::string_view, 24> kTokens = {" nan ",
+constexpr std::array<std::string_view, 30> kTokens = {" nan ",
                                                       " 1e400 ",
                                                       " -1 ",
                                                       " 0 ",
@@ -60,6 +71,12 @@ constexpr std::array<std::string_view, 24> kTokens = {" nan ",
                                                       " WorldBegin ",
                                                       " AttributeEnd ",
                                                       " AttributeBegin ",
+                                                      " ObjectBegin \"o\" ",
+                                                      " ObjectEnd ",
+                                                      " TransformEnd ",
+                                                      " Include \"/dev/null\" ",
+                                                      " Import \".\" ",
+                                                      " ActiveTransform EndTime ",
                                                       " \"rgb L\" [ 1 0 2 ] ",
                                                       " Scale 0 1 1 ",
                                                       "\n",
@@ -108,6 +125,14 @@ void expect_sane(const Scene& scene, const std::string& text) {
             for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh->position.size()) << text;
         }
     }
+    for (const Object& object : scene.objects) {
+        ASSERT_LE(object.first_shape, object.end_shape) << text;
+        ASSERT_LE(object.end_shape, scene.shapes.size()) << text;
+        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
+            ASSERT_FALSE(scene.shapes[i].area_light) << text;
+        }
+    }
+    for (const Instance& instance : scene.instances) ASSERT_LT(instance.object, scene.objects.size()) << text;
     ASSERT_TRUE(imaging_ratio(scene.film.sensor) >= kMinImagingRatio &&
                 imaging_ratio(scene.film.sensor) <= kMaxImagingRatio)
         << text;
@@ -169,8 +194,7 @@ TEST(SceneFuzz, RandomBytes) {
 std::string repeated(const std::string& item, int count) {
     std::string text;
     for (int i = 0; i < count; ++i) {
-        const std::size_t at = item.find('@');
-        text += at == std::string::npos ? item : item.substr(0, at) + std::to_string(i) + item.substr(at + 1);
+        for (const char c : item) text += c == '@' ? std::to_string(i) : std::string(1, c);
     }
     return text;
 }
@@ -183,6 +207,13 @@ TEST(SceneFuzz, ManyOfAKindTakeNoLongerEach) {
     EXPECT_EQ(testing::parse(repeated("Film \"rgb\" ", kMany) + "WorldBegin").warnings.size(), std::size_t{kMany});
     EXPECT_EQ(outcome_of("Camera \"perspective\" " + repeated("\"float p@\" 1 ", kMany)), Outcome::error);
     EXPECT_EQ(outcome_of("WorldBegin " + repeated("NamedMaterial \"m@\" ", kMany)), Outcome::error);
+    // Each of them adds to those that the ones before it gave, which blocks hold on to.
+    EXPECT_EQ(outcome_of("WorldBegin " + repeated("Attribute \"shape\" \"float a@\" 1 ", 2000) + "Shape \"sphere\""),
+              Outcome::scene);
+    EXPECT_EQ(testing::parse_world(repeated("ObjectBegin \"o@\" ObjectEnd ObjectInstance \"o@\" ", kMany / 10))
+                  .instances.size(),
+              std::size_t{kMany / 10});
+    EXPECT_EQ(testing::parse_world(repeated("CoordinateSystem \"c@\" ", kMany)).shapes.size(), 0u);
     const std::string make = "MakeNamedMaterial \"m@\" \"string type\" \"diffuse\" ";
     EXPECT_EQ(outcome_of("WorldBegin NamedMaterial \"x\" " + repeated(make, kMany)), Outcome::error);
     EXPECT_EQ(testing::parse_world(repeated("LightSource \"point\" ", kMany)).lights.size(), std::size_t{kMany});

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,10 +39,28 @@ TEST(SceneOptions, Defaults) {
 
 TEST(SceneOptions, Camera) {
     const Scene scene = parse_options(R"(Camera "perspective" "float fov" 39.5 "float frameaspectratio" [ 1.5 ]
-        "float screenwindow" [ -1 2 -3 4 ] "float lensradius" 0 "float focaldistance" 12)");
+        "float screenwindow" [ -1 2 -3 4 ] "float lensradius" 0.25 "float focaldistance" 12)");
     EXPECT_EQ(perspective(scene).fov_deg, 39.5);
     EXPECT_EQ(perspective(scene).screen.frame_aspect_ratio, 1.5);
     EXPECT_EQ(perspective(scene).screen.bounds, (std::array<double, 4>{-1, 2, -3, 4}));
+    EXPECT_EQ(perspective(scene).lens.radius, 0.25);
+    EXPECT_EQ(perspective(scene).lens.focal_distance, 12.0);
+
+    const Scene parallel = parse_options(R"(Translate 0 0 -3 Camera "orthographic" "float lensradius" 2
+        "float screenwindow" [ -1 2 -3 4 ] "float frameaspectratio" 2)");
+    const auto& orthographic = std::get<OrthographicCamera>(parallel.camera);
+    EXPECT_EQ(orthographic.world_from_camera.translation(), Imath::V3d(0, 0, 3));
+    EXPECT_EQ(orthographic.screen.bounds, (std::array<double, 4>{-1, 2, -3, 4}));
+    EXPECT_EQ(orthographic.screen.frame_aspect_ratio, 2.0);
+    EXPECT_EQ(orthographic.lens.radius, 2.0);
+    EXPECT_EQ(orthographic.lens.focal_distance, 1e6);
+
+    const auto mapping = [](const std::string& parameters) {
+        return std::get<SphericalCamera>(parse_options("Camera \"spherical\" " + parameters).camera).mapping;
+    };
+    EXPECT_EQ(mapping(""), SphericalMapping::equal_area);
+    EXPECT_EQ(mapping(R"("string mapping" "equalarea" "float lensradius" 1)"), SphericalMapping::equal_area);
+    EXPECT_EQ(mapping(R"("string mapping" "equirectangular")"), SphericalMapping::equirectangular);
 }
 
 TEST(SceneOptions, CropWindowsInPartsOfTheFrameAndInPixels) {
@@ -126,6 +145,66 @@ TEST(SceneOptions, Samplers) {
     EXPECT_TRUE(std::get<StratifiedSampler>(parse_options("Sampler \"stratified\"").sampler).jitter);
 }
 
+/// What is warned of, but for the missing light.
+std::vector<std::string> warnings_of(const std::string& options) {
+    Scene scene = parse_options(options);
+    scene.warnings.pop_back();
+    return scene.warnings;
+}
+
+TEST(SceneOptions, TheClosestSamplerIsTakenAndSaid) {
+    const auto warnings = [](const std::string& sampler) { return warnings_of("Sampler " + sampler); };
+    for (const std::string name : {"halton", "sobol", "zsobol", "pmj02bn"}) {
+        const std::string said =
+            "t.pbrt:1:9: sampler \"" + name + "\" is taken as \"paddedsobol\": the same picture with other noise";
+        const std::string sampler = '"' + name + R"(" "integer pixelsamples" 100 "integer seed" 3)";
+        const Scene scene = parse_options("Sampler " + sampler);
+        EXPECT_EQ(std::get<PaddedSobolSampler>(scene.sampler).samples_per_pixel, 100) << name;
+        EXPECT_EQ(scene.sampler_seed, 3) << name;
+        EXPECT_THAT(warnings(sampler), ::testing::ElementsAre(said));
+        if (name == "pmj02bn") continue;
+        EXPECT_THAT(warnings(sampler + R"( "string randomization" "permutedigits")"),
+                    ::testing::ElementsAre(said + "; of no effect: \"randomization\""));
+    }
+    EXPECT_THAT(
+        warnings(R"("paddedsobol" "string randomization" "none")"),
+        ::testing::ElementsAre("t.pbrt:1:9: randomization \"none\" of sampler \"paddedsobol\" is taken as \"owen\""));
+    EXPECT_THAT(warnings(R"("paddedsobol" "string randomization" "fastowen")"), ::testing::IsEmpty());
+}
+
+TEST(SceneOptions, IntegratorsOfTheSamePictureAreTakenAsPath) {
+    const auto said = [](const std::string& name) {
+        return "t.pbrt:1:12: integrator \"" + name + "\" is taken as \"path\": the same picture with other noise";
+    };
+    for (const std::string name : {"volpath", "simplepath", "simplevolpath", "bdpt", "mlt"}) {
+        const std::string text = "Integrator \"" + name + R"(" "integer maxdepth" 7)";
+        EXPECT_EQ(parse_options(text).integrator.max_depth, 7) << name;
+        EXPECT_THAT(warnings_of(text), ::testing::ElementsAre(said(name)));
+    }
+    EXPECT_THAT(warnings_of(R"(Integrator "mlt" "integer chains" 100 "float sigma" .02)"),
+                ::testing::ElementsAre(said("mlt") + "; of no effect: \"chains\", \"sigma\""));
+    EXPECT_THAT(warnings_of(R"(Integrator "path" "string lightsampler" "bvh")"), ::testing::IsEmpty());
+}
+
+TEST(SceneOptions, AcceleratorsAreOfNoEffect) {
+    EXPECT_THAT(warnings_of(R"(Accelerator "kdtree" "integer maxprims" 4 "float emptybonus" .5)"),
+                ::testing::IsEmpty());
+    EXPECT_THAT(warnings_of(R"(Accelerator "bvh" "string splitmethod" "hlbvh" "integer maxnodeprims" 4)"),
+                ::testing::IsEmpty());
+}
+
+TEST(SceneOptions, SpectralFilm) {
+    EXPECT_EQ(film_options(parse_options("Film \"rgb\"")).spectrum, std::nullopt);
+    EXPECT_EQ(film_options(parse_options("Film \"spectral\"")).spectrum, (SpectralBuckets{16, 360.0, 830.0}));
+    const Scene scene = parse_options(R"(Film "spectral" "integer nbuckets" 8 "float lambdamin" 400
+        "float lambdamax" 700 "integer xresolution" 20 "integer yresolution" 10 "float iso" 200
+        "string filename" "s.exr" "bool savefp16" true)");
+    EXPECT_EQ(film_options(scene).spectrum, (SpectralBuckets{8, 400.0, 700.0}));
+    EXPECT_EQ(scene.film.width_px, 20);
+    EXPECT_EQ(scene.film.sensor.iso, 200.0);
+    EXPECT_EQ(scene.film.pixel_type, PixelType::half);
+}
+
 TEST(SceneOptions, FiltersHaveTheParametersOfPbrt) {
     const std::string radii = R"( "float xradius" 1.25 "float yradius" 3)";
     EXPECT_EQ(parse_options("PixelFilter \"box\"" + radii).filter, Filter(BoxFilter{1.25f, 3.0f}));
@@ -204,10 +283,22 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:34: found a field of view of 180, expected an angle above 0 and below 180 degrees"},
         {R"(Camera "perspective" "float fov" [-1])",
          "1:35: found -1 for parameter \"fov\" of camera \"perspective\", expected a number above 0"},
-        {R"(Camera "perspective" "float lensradius" .1)",
-         "1:41: found 0.1 for parameter \"lensradius\" of camera \"perspective\", expected 0 (others are known to "
-         "pbrt-v4 "
-         "and not yet supported here)"},
+        {R"(Camera "perspective" "float lensradius" -.1)",
+         "1:41: found -0.1 for parameter \"lensradius\" of camera \"perspective\", expected 0 or a number above"},
+        {R"(Camera "orthographic" "float fov" 40)",
+         "1:23: found unknown parameter \"fov\" of camera \"orthographic\", expected a known one (frameaspectratio, "
+         "screenwindow, lensradius, focaldistance, shutteropen, shutterclose)"},
+        {R"(Camera "spherical" "string mapping" "equalaria")",
+         "1:37: found unknown mapping \"equalaria\", expected a known one (nearest known name: \"equalarea\")"},
+        {R"(Film "spectral" "integer nbuckets" 1025)",
+         "1:6: found buckets of wavelengths that can't be (film: spectrum.count = 1025: must be in [1, 1024]), "
+         "expected \"lambdamin\" "
+         "below \"lambdamax\", and from 1 to 1024 \"nbuckets\" between them"},
+        {R"(Film "spectral" "float lambdamin" 300)",
+         "1:6: found wavelengths from 300 to 830 nm, expected some of those that paths have, from 360 to 830 nm"},
+        {R"(Film "rgb" "integer nbuckets" 4)",
+         "1:12: found unknown parameter \"nbuckets\" of film \"rgb\", expected a known one (xresolution, yresolution, "
+         "filename, savefp16, sensor, iso, diagonal, cropwindow, pixelbounds, whitebalance, maxcomponentvalue)"},
         {R"(Camera "perspective" "float screenwindow" [0 1 2])",
          "1:22: found 3 values for parameter \"screenwindow\" of camera \"perspective\", expected 4"},
         {R"(Camera "perspective" "float screenwindow" [1 1 0 1])",
@@ -249,9 +340,17 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:28: found unknown sensor \"cie1932\", expected a known one (nearest known name: \"cie1931\")"},
         {R"(Sampler "stratified" "integer xsamples" 65536 "integer ysamples" 65536)",
          "1:9: found 65536 x 65536 samples, expected at most 16777216 in all"},
-        {R"(Sampler "paddedsobol" "string randomization" "none")",
-         "1:46: found randomization \"none\", expected a supported one (known to pbrt-v4 and not yet supported here; "
-         "supported: owen, fastowen)"},
+        {R"(Sampler "zsobol" "string randomization" "nun")",
+         "1:41: found unknown randomization \"nun\", expected a known one (nearest known name: \"none\")"},
+        {R"(Sampler "pmj02bn" "string randomization" "none")",
+         "1:19: found unknown parameter \"randomization\" of sampler \"pmj02bn\", expected a known one (nearest known "
+         "name: \"seed\")"},
+        {R"(Sampler "halton" "integer pixelsamples" 16777217)",
+         "1:41: found 16777217 for parameter \"pixelsamples\", expected at most 16777216"},
+        {R"(Accelerator "bwh")",
+         "1:13: found unknown accelerator \"bwh\", expected a known one (nearest known name: \"bvh\")"},
+        {R"(Accelerator "bvh" "string splitmethod" "sha")",
+         "1:40: found unknown splitmethod \"sha\", expected a known one (nearest known name: \"sah\")"},
         {R"(PixelFilter "box" "float xradius" 1e-60)",
          "1:35: found 1e-60 for parameter \"xradius\", expected a number that single precision holds"},
         {R"(Integrator "path" "integer maxdepth" -1)",

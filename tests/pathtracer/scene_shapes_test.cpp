@@ -221,10 +221,9 @@ TEST(SceneShapes, RefusesWhatIsNoShape) {
         {R"(Shape "cylinder" "float zmax" 1e16)",
          "7: found a cylinder that reaches to 1e+16, expected coordinates from -1e15 to 1e15 in world space"},
         {R"(Shape "plymesh")", "7: found shape \"plymesh\" without a file, expected a parameter \"filename\""},
-        {R"(Shape "sphere" "float alpha" 1)",
-         "16: found parameter \"alpha\" of shape \"sphere\", expected a supported one (known to pbrt-v4 and not yet "
-         "supported "
-         "here; supported: radius, zmin, zmax, phimax)"},
+        {R"(Shape "sphere" "float alpha" 0)",
+         "30: found 0 for parameter \"alpha\" of shape \"sphere\", expected 1 (others are known to pbrt-v4 and not yet "
+         "supported here)"},
     };
     for (const BadShape& shape : bad) EXPECT_EQ(world_error_of(shape.text), "t.pbrt:2:" + shape.message) << shape.text;
 }

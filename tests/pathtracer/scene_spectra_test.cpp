@@ -118,7 +118,8 @@ TEST(SceneMaterials, RefusesWhatIsNoMaterial) {
     EXPECT_EQ(
         world_error_of("MakeNamedMaterial \"a\" \"string type\" \"hair\""),
         "t.pbrt:2:37: found material \"hair\", expected a supported one (known to pbrt-v4 and not yet supported here; "
-        "supported: diffuse, conductor, dielectric, thindielectric, diffusetransmission, coateddiffuse, mix, interface)");
+        "supported: diffuse, conductor, dielectric, thindielectric, diffusetransmission, coateddiffuse, mix, "
+        "interface)");
     EXPECT_EQ(world_error_of("MakeNamedMaterial \"a\" \"string type\" [\"diffuse\" \"mix\"]"),
               "t.pbrt:2:23: found 2 types of one material, expected 1");
     EXPECT_EQ(world_error_of("NamedMaterial white"),

@@ -1,0 +1,97 @@
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene_text.h"
+
+namespace emulsion {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::parse_world;
+using testing::world_error_of;
+
+const std::string kLight = "LightSource \"infinite\"\n";
+
+std::pair<unsigned, unsigned> range(const Object& object) {
+    return {static_cast<unsigned>(object.first_shape), static_cast<unsigned>(object.end_shape)};
+}
+
+TEST(SceneObjects, AreShapesThatInstancesPlace) {
+    // Objects have the transformation in force at ObjectBegin in them, and instances that of their own.
+    const Scene scene = parse_world(kLight + R"(Translate 1 0 0 ObjectBegin "ball" Scale 2 2 2
+        Material "diffuse" "blackbody reflectance" 9 Shape "sphere" Shape "sphere" "float radius" 3 ObjectEnd
+        ObjectBegin "empty" ObjectEnd
+        Translate 0 5 0 ObjectInstance "ball" Identity ObjectInstance "ball" ObjectInstance "empty" Shape "sphere")");
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(range(scene.objects[0]), std::pair(0u, 2u));
+    const auto& sphere = std::get<Sphere>(scene.shapes.at(0).geometry);
+    EXPECT_EQ(sphere.world_from_object, Imath::M44d(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 0, 0, 1));
+    EXPECT_EQ(range(scene.objects[1]), std::pair(2u, 2u));
+
+    ASSERT_EQ(scene.instances.size(), 3u);
+    EXPECT_EQ(scene.instances[0].object, 0u);
+    EXPECT_EQ(scene.instances[0].world_from_object.translation(), Imath::V3d(1, 5, 0));
+    EXPECT_EQ(scene.instances[1].world_from_object, Imath::M44d());
+    EXPECT_EQ(scene.instances[2].object, 1u);
+    // ObjectEnd brings the state back.
+    ASSERT_EQ(scene.shapes.size(), 3u);
+    EXPECT_NE(scene.shapes[2].material, scene.shapes[0].material);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(SceneObjects, MayBeUsedBeforeTheyAreMade) {
+    const Scene scene = parse_world(kLight +
+                                    "ObjectInstance \"later\" ObjectBegin \"other\" ObjectEnd "
+                                    "ObjectBegin \"later\" Shape \"sphere\" ObjectEnd");
+    EXPECT_EQ(scene.instances.at(0).object, 1u);
+}
+
+TEST(SceneObjects, CloseUpWhereInterfacesAreLeftOut) {
+    const std::string gone = "AttributeBegin Material \"interface\" Shape \"sphere\" AttributeEnd ";
+    const Scene scene = parse_world(kLight + gone + "ObjectBegin \"a\" " + gone + "Shape \"sphere\" " + gone +
+                                    "ObjectEnd " + gone + "ObjectBegin \"b\" " + gone + "ObjectEnd Shape \"sphere\"");
+    EXPECT_EQ(scene.shapes.size(), 2u);
+    EXPECT_EQ(range(scene.objects.at(0)), std::pair(0u, 1u));
+    EXPECT_EQ(range(scene.objects.at(1)), std::pair(1u, 1u));
+}
+
+TEST(SceneObjects, GiveNoLight) {
+    const Scene scene = parse_world(kLight +
+                                    "AreaLightSource \"diffuse\"\nObjectBegin \"o\" Shape \"sphere\" ObjectEnd "
+                                    "Shape \"sphere\"");
+    EXPECT_FALSE(scene.shapes[0].area_light);
+    EXPECT_TRUE(scene.shapes[1].area_light);
+    EXPECT_THAT(scene.warnings, ElementsAre("t.pbrt:4:23: a shape of an object gives no light, as in pbrt-v4: its "
+                                            "AreaLightSource is left out"));
+}
+
+TEST(SceneObjects, RefusesWhatPbrtRefuses) {
+    const std::string ball = "ObjectBegin \"ball\" Shape \"sphere\" ObjectEnd\n";
+    EXPECT_EQ(world_error_of(ball + "ObjectInstance \"bell\""),
+              "t.pbrt:3:16: found unknown object \"bell\", expected one that ObjectBegin makes (nearest known name: "
+              "\"ball\")");
+    EXPECT_EQ(world_error_of("ObjectInstance \"bell\""),
+              "t.pbrt:2:16: found unknown object \"bell\", expected one that ObjectBegin makes (none is known)");
+    EXPECT_EQ(world_error_of(ball + ball),
+              "t.pbrt:3:1: found a second object \"ball\", expected each name only once (the first is at t.pbrt:2:1)");
+    EXPECT_EQ(
+        world_error_of("ObjectBegin \"a\"\nObjectBegin \"b\""),
+        "t.pbrt:3:1: found ObjectBegin inside an object, expected the ObjectEnd of the ObjectBegin at t.pbrt:2:1");
+    EXPECT_EQ(world_error_of(ball + "ObjectBegin \"a\" ObjectInstance \"ball\""),
+              "t.pbrt:3:17: found ObjectInstance inside an object, expected it outside: objects are made of shapes "
+              "only, as in pbrt-v4");
+    EXPECT_EQ(world_error_of("ObjectEnd"),
+              "t.pbrt:2:1: found ObjectEnd without its ObjectBegin, expected as many of one as the other");
+    EXPECT_EQ(world_error_of("ObjectBegin \"a\""),
+              "t.pbrt:2:1: found ObjectBegin without its ObjectEnd, expected as many of one as the other");
+    EXPECT_EQ(world_error_of("ObjectBegin \"a\"\nAttributeBegin\nObjectEnd"),
+              "t.pbrt:4:1: found ObjectEnd, expected the AttributeEnd of the AttributeBegin at t.pbrt:3:1");
+    EXPECT_EQ(world_error_of("AttributeBegin\nObjectBegin \"a\"\nAttributeEnd"),
+              "t.pbrt:4:1: found AttributeEnd, expected the ObjectEnd of the ObjectBegin at t.pbrt:3:1");
+}
+
+}  // namespace
+}  // namespace emulsion
