@@ -171,7 +171,8 @@ void SceneBuilder::add_shape(Geometry geometry) {
         shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
     }
     shape.geometry = std::move(geometry);
-    scene_.shapes.push_back(std::move(shape));
+    auto& shapes = open_object_ ? scene_.objects.at(static_cast<std::size_t>(*open_object_)).shapes : scene_.shapes;
+    shapes.push_back(std::move(shape));
 }
 
 // --- The end
@@ -213,8 +214,7 @@ void SceneBuilder::check_mixes() const {
     }
 }
 
-void SceneBuilder::leave_out_interfaces() {
-    std::vector<Shape>& shapes = scene_.shapes;
+void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
     const auto is_interface = [this](const Shape& shape) {
         return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
     };
@@ -223,12 +223,6 @@ void SceneBuilder::leave_out_interfaces() {
         warn(*world_begin_,
              fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
                          dark == 1 ? "" : "s"));
-    }
-    // Objects are ranges of shapes, and close up with them.
-    std::vector<std::size_t> kept_before = {0};
-    for (const Shape& shape : shapes) kept_before.push_back(kept_before.back() + (is_interface(shape) ? 0 : 1));
-    for (Object& object : scene_.objects) {
-        object = {kept_before[object.first_shape], kept_before[object.end_shape]};
     }
     std::erase_if(shapes, is_interface);
 }
@@ -242,7 +236,8 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     require_closed_blocks();
     check_named_materials();
     check_mixes();
-    leave_out_interfaces();
+    leave_out_interfaces(scene_.shapes);
+    for (ObjectDefinition& object : scene_.objects) leave_out_interfaces(object.shapes);
     resolve_instances();
     scene_.sampler_seed = sampler_seed_.value_or(options_.seed);
     scene_.jitter = options_.jitter;

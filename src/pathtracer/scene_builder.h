@@ -150,7 +150,7 @@ class SceneBuilder {
     void check_named_materials() const;
     void check_mixes() const;
     /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
-    void leave_out_interfaces();
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void resolve_instances();
     void warn(const SourcePlace& place, const std::string& what);
 
@@ -170,9 +170,9 @@ class SceneBuilder {
     std::map<std::string, SourcePlace> options_seen_;
     std::map<std::string, NamedMaterial> named_materials_;
     int default_material_ = -1;
-    std::map<std::string, std::size_t> objects_;  // indices into Scene::objects
+    std::map<std::string, int> objects_;  // indices into Scene::objects
     std::vector<SourcePlace> object_places_;
-    std::optional<std::size_t> open_object_;
+    std::optional<int> open_object_;
     std::vector<InstanceUse> instance_uses_;
     bool warned_of_transform_begin_ = false;
 };

@@ -169,22 +169,23 @@ void SceneBuilder::import_end() {
 void SceneBuilder::object_begin(const SourcePlace& place, const std::string& name) {
     if (open_object_) {
         throw SceneError(place, "ObjectBegin inside an object",
-                         "the ObjectEnd of the ObjectBegin at " + to_text(object_places_.at(*open_object_)));
+                         "the ObjectEnd of the ObjectBegin at " +
+                             to_text(object_places_.at(static_cast<std::size_t>(*open_object_))));
     }
-    const auto [entry, added] = objects_.try_emplace(name, scene_.objects.size());
+    const auto [entry, added] = objects_.try_emplace(name, static_cast<int>(scene_.objects.size()));
     if (!added) {
         throw SceneError(place, fmt::format("a second object {}", quote(name)),
-                         "each name only once (the first is at " + to_text(object_places_.at(entry->second)) + ")");
+                         "each name only once (the first is at " +
+                             to_text(object_places_.at(static_cast<std::size_t>(entry->second))) + ")");
     }
     begin_block(place, BlockKind::object, "Object");
     open_object_ = entry->second;
-    scene_.objects.push_back({scene_.shapes.size(), scene_.shapes.size()});
+    scene_.objects.push_back({name, {}});
     object_places_.push_back(place);
 }
 
 void SceneBuilder::object_end(const SourcePlace& place) {
     end_block(place, BlockKind::object, "Object");
-    scene_.objects.at(*open_object_).end_shape = scene_.shapes.size();
     open_object_.reset();
 }
 
