@@ -10,6 +10,21 @@
 
 namespace emulsion {
 
+namespace {
+
+/// Moves the camera to the origin; returns where it was.
+Imath::V3d moved_to_origin(Camera& camera) {
+    return std::visit(
+        [](auto& c) {
+            const Imath::V3d position = c.world_from_camera.translation();
+            c.world_from_camera = c.world_from_camera * translation(-position);
+            return position;
+        },
+        camera);
+}
+
+}  // namespace
+
 // --- Options
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
@@ -67,10 +82,16 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
     world_begin_ = place;
     scene_.film.sensor.exposure_time_s = exposure_time_s_;
     check_sensor(place, scene_.film.sensor);
+    scene_.origin = moved_to_origin(scene_.camera);
     state_.frame.world_from_object.makeIdentity();
     state_.world_from_object_at_end.makeIdentity();
     state_.active = ActiveTransform::all;
     coordinate_system("world");
+}
+
+/// From the world of the file to the scene's, whose origin is the camera.
+Imath::M44d SceneBuilder::from_camera_position(const Imath::M44d& world_from_object) const {
+    return world_from_object * translation(-scene_.origin);
 }
 
 // --- World
@@ -137,7 +158,7 @@ void SceneBuilder::texture(const TextureDeclaration& declaration, ParameterList 
     inherit(AttributeTarget::texture, declaration.kind == "float" ? float_texture_table() : reflectance_texture_table(),
             list);
     warn_of_motion(list.place, "the texture");
-    textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
+    textures_.make(declaration, list, {scene_, spectra_, files_, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
@@ -148,7 +169,8 @@ void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
 void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
     inherit(AttributeTarget::light, light_table(), list);
     warn_of_motion(list.place, "the light");
-    scene_.lights.push_back(read_light(list, {state_.frame.world_from_object, spectra_, files_, scene_.warnings}));
+    scene_.lights.push_back(
+        read_light(list, {from_camera_position(state_.frame.world_from_object), spectra_, files_, scene_.warnings}));
 }
 
 void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
@@ -157,7 +179,9 @@ void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
     if (state_.area_light && open_object_) {
         warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
     }
-    for (Geometry& geometry : read_shape(list, state_.frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
+    ShapeFrame frame = state_.frame;
+    if (!open_object_) frame.world_from_object = from_camera_position(frame.world_from_object);
+    for (Geometry& geometry : read_shape(list, frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
 }
 
 void SceneBuilder::add_shape(Geometry geometry) {
@@ -171,7 +195,8 @@ void SceneBuilder::add_shape(Geometry geometry) {
         shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
     }
     shape.geometry = std::move(geometry);
-    scene_.shapes.push_back(std::move(shape));
+    auto& shapes = open_object_ ? scene_.objects[*open_object_].shapes : scene_.shapes;
+    shapes.push_back(std::move(shape));
 }
 
 // --- The end
@@ -213,8 +238,7 @@ void SceneBuilder::check_mixes() const {
     }
 }
 
-void SceneBuilder::leave_out_interfaces() {
-    std::vector<Shape>& shapes = scene_.shapes;
+void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
     const auto is_interface = [this](const Shape& shape) {
         return std::holds_alternative<InterfaceMaterial>(scene_.materials[static_cast<std::size_t>(shape.material)]);
     };
@@ -223,12 +247,6 @@ void SceneBuilder::leave_out_interfaces() {
         warn(*world_begin_,
              fmt::format("{} area light{} of material \"interface\": without a surface, they give no light", dark,
                          dark == 1 ? "" : "s"));
-    }
-    // Objects are ranges of shapes, and close up with them.
-    std::vector<std::size_t> kept_before = {0};
-    for (const Shape& shape : shapes) kept_before.push_back(kept_before.back() + (is_interface(shape) ? 0 : 1));
-    for (Object& object : scene_.objects) {
-        object = {kept_before[object.first_shape], kept_before[object.end_shape]};
     }
     std::erase_if(shapes, is_interface);
 }
@@ -242,7 +260,8 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     require_closed_blocks();
     check_named_materials();
     check_mixes();
-    leave_out_interfaces();
+    leave_out_interfaces(scene_.shapes);
+    for (ObjectDefinition& object : scene_.objects) leave_out_interfaces(object.shapes);
     resolve_instances();
     scene_.sampler_seed = sampler_seed_.value_or(options_.seed);
     scene_.jitter = options_.jitter;

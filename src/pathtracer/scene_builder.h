@@ -132,6 +132,7 @@ class SceneBuilder {
         Imath::M44d world_from_object;
     };
 
+    [[nodiscard]] Imath::M44d from_camera_position(const Imath::M44d& world_from_object) const;
     void note_option(const SourcePlace& place, const std::string& directive);
     /// Sets the active transformations to what `change` makes of them.
     template <class Change>
@@ -150,7 +151,7 @@ class SceneBuilder {
     void check_named_materials() const;
     void check_mixes() const;
     /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
-    void leave_out_interfaces();
+    void leave_out_interfaces(std::vector<Shape>& shapes);
     void resolve_instances();
     void warn(const SourcePlace& place, const std::string& what);
 

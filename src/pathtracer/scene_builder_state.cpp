@@ -178,13 +178,12 @@ void SceneBuilder::object_begin(const SourcePlace& place, const std::string& nam
     }
     begin_block(place, BlockKind::object, "Object");
     open_object_ = entry->second;
-    scene_.objects.push_back({scene_.shapes.size(), scene_.shapes.size()});
+    scene_.objects.push_back({name, {}});
     object_places_.push_back(place);
 }
 
 void SceneBuilder::object_end(const SourcePlace& place) {
     end_block(place, BlockKind::object, "Object");
-    scene_.objects.at(*open_object_).end_shape = scene_.shapes.size();
     open_object_.reset();
 }
 
@@ -195,7 +194,7 @@ void SceneBuilder::object_instance(const SourcePlace& place, const SourcePlace& 
                          "it outside: objects are made of shapes only, as in pbrt-v4");
     }
     require_rest(place, "an instance");
-    instance_uses_.push_back({name, place_of_name, state_.frame.world_from_object});
+    instance_uses_.push_back({name, place_of_name, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::resolve_instances() {
@@ -207,7 +206,7 @@ void SceneBuilder::resolve_instances() {
             throw SceneError(use.place_of_name, "unknown object " + quote(use.object),
                              "one that ObjectBegin makes" + nearest_hint(use.object, known));
         }
-        scene_.instances.push_back({object->second, use.world_from_object});
+        scene_.instances.push_back({static_cast<int>(object->second), use.world_from_object});
     }
 }
 

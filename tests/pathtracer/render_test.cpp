@@ -74,12 +74,12 @@ TEST(Render, AddsExactlyTheSamplesAskedFor) {
     }
 }
 
-Film pictured(const Scene& scene, const RenderOptions& options) {
+Image<XYZ> pictured(const Scene& scene, const RenderOptions& options) {
     const PreparedScene prepared(scene, 1);
     Film film(film_options(scene));
     RenderProgress progress;
     render(prepared, options, film, progress);
-    return film;
+    return film.xyz_image();
 }
 
 /// A lamp that all rays of a camera meet or miss by their directions alone: no other numbers are drawn.
@@ -97,7 +97,7 @@ TEST(Render, WithoutJitterAllPathsOfAPixelAreOne) {
     std::get<PerspectiveCamera>(scene.camera).lens = {0.2, 2.0};
     scene.jitter = {.pixel = false, .wavelength = false};
     const auto image = [&](std::uint64_t seed, int samples) {
-        return pictured(scene, {.samples_per_pixel = samples, .seed = seed, .threads = 1}).xyz_image();
+        return pictured(scene, {.samples_per_pixel = samples, .seed = seed, .threads = 1});
     };
     EXPECT_TRUE(image(1, 1) == image(2, 1));
     EXPECT_TRUE(image(1, 1) == image(1, 4));
@@ -111,16 +111,17 @@ TEST(Render, WithoutJitterAllPathsOfAPixelAreOne) {
 TEST(Render, LensesBlurWhatIsOutOfFocus) {
     const auto edge_pixels = [](double radius, double focal_distance) {
         Scene scene = lamp_alone();
-        scene.film.width_px = scene.film.height_px = 32;
+        scene.film.width_px = scene.film.height_px = 32;  // 16 pixels for a slope of 1
+        scene.filter = BoxFilter{};
         std::get<PerspectiveCamera>(scene.camera).lens = {radius, focal_distance};
-        const Image<XYZ> image = pictured(scene, {.samples_per_pixel = 16, .threads = 1}).xyz_image();
+        const Image<XYZ> image = pictured(scene, {.samples_per_pixel = 16, .threads = 1});
         const float full = image(16, 16).y;
         int partly = 0;
         for (int x = 0; x < 32; ++x) partly += image(x, 16).y > 0.02f * full && image(x, 16).y < 0.7f * full ? 1 : 0;
         return partly;
     };
-    // The sphere's rim is 2.67 away (9 - 1 over 3). With a lens of radius 0.5 focused at 1000, its circle of confusion
-    // is 0.5 (1 - 2.67 / 1000), 1 across: 6 pixels of 32 x 2 / 2.67 on either side.
+    // The rim that the pinhole sees is at z = 8/3. Focused at 1000, its circle of confusion is 1 across, which is 1 / z
+    // = 3/8 in slope, or 6 pixels, on either side.
     EXPECT_LE(edge_pixels(0.0, 1000.0), 2);
     EXPECT_LE(edge_pixels(0.5, 8.0 / 3.0), 4);
     EXPECT_GE(edge_pixels(0.5, 1000.0), 6);

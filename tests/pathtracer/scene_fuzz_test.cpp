@@ -125,14 +125,12 @@ void expect_sane(const Scene& scene, const std::string& text) {
             for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh->position.size()) << text;
         }
     }
-    for (const Object& object : scene.objects) {
-        ASSERT_LE(object.first_shape, object.end_shape) << text;
-        ASSERT_LE(object.end_shape, scene.shapes.size()) << text;
-        for (std::size_t i = object.first_shape; i < object.end_shape; ++i) {
-            ASSERT_FALSE(scene.shapes[i].area_light) << text;
-        }
+    for (const ObjectDefinition& object : scene.objects) {
+        for (const Shape& shape : object.shapes) ASSERT_FALSE(shape.area_light) << text;
     }
-    for (const Instance& instance : scene.instances) ASSERT_LT(instance.object, scene.objects.size()) << text;
+    for (const ObjectInstance& instance : scene.instances) {
+        ASSERT_LT(static_cast<std::size_t>(instance.object), scene.objects.size()) << text;
+    }
     ASSERT_TRUE(imaging_ratio(scene.film.sensor) >= kMinImagingRatio &&
                 imaging_ratio(scene.film.sensor) <= kMaxImagingRatio)
         << text;

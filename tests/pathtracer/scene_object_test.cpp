@@ -15,10 +15,6 @@ using testing::world_error_of;
 
 const std::string kLight = "LightSource \"infinite\"\n";
 
-std::pair<unsigned, unsigned> range(const Object& object) {
-    return {static_cast<unsigned>(object.first_shape), static_cast<unsigned>(object.end_shape)};
-}
-
 TEST(SceneObjects, AreShapesThatInstancesPlace) {
     // Objects have the transformation in force at ObjectBegin in them, and instances that of their own.
     const Scene scene = parse_world(kLight + R"(Translate 1 0 0 ObjectBegin "ball" Scale 2 2 2
@@ -26,19 +22,20 @@ TEST(SceneObjects, AreShapesThatInstancesPlace) {
         ObjectBegin "empty" ObjectEnd
         Translate 0 5 0 ObjectInstance "ball" Identity ObjectInstance "ball" ObjectInstance "empty" Shape "sphere")");
     ASSERT_EQ(scene.objects.size(), 2u);
-    EXPECT_EQ(range(scene.objects[0]), std::pair(0u, 2u));
-    const auto& sphere = std::get<Sphere>(scene.shapes.at(0).geometry);
+    EXPECT_EQ(scene.objects[0].name, "ball");
+    ASSERT_EQ(scene.objects[0].shapes.size(), 2u);
+    const auto& sphere = std::get<Sphere>(scene.objects[0].shapes[0].geometry);
     EXPECT_EQ(sphere.world_from_object, Imath::M44d(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 0, 0, 1));
-    EXPECT_EQ(range(scene.objects[1]), std::pair(2u, 2u));
+    EXPECT_TRUE(scene.objects[1].shapes.empty());
 
     ASSERT_EQ(scene.instances.size(), 3u);
-    EXPECT_EQ(scene.instances[0].object, 0u);
+    EXPECT_EQ(scene.instances[0].object, 0);
     EXPECT_EQ(scene.instances[0].world_from_object.translation(), Imath::V3d(1, 5, 0));
     EXPECT_EQ(scene.instances[1].world_from_object, Imath::M44d());
-    EXPECT_EQ(scene.instances[2].object, 1u);
+    EXPECT_EQ(scene.instances[2].object, 1);
     // ObjectEnd brings the state back.
-    ASSERT_EQ(scene.shapes.size(), 3u);
-    EXPECT_NE(scene.shapes[2].material, scene.shapes[0].material);
+    ASSERT_EQ(scene.shapes.size(), 1u);
+    EXPECT_NE(scene.shapes[0].material, scene.objects[0].shapes[0].material);
     EXPECT_TRUE(scene.warnings.empty());
 }
 
@@ -46,24 +43,24 @@ TEST(SceneObjects, MayBeUsedBeforeTheyAreMade) {
     const Scene scene = parse_world(kLight +
                                     "ObjectInstance \"later\" ObjectBegin \"other\" ObjectEnd "
                                     "ObjectBegin \"later\" Shape \"sphere\" ObjectEnd");
-    EXPECT_EQ(scene.instances.at(0).object, 1u);
+    EXPECT_EQ(scene.instances.at(0).object, 1);
 }
 
 TEST(SceneObjects, CloseUpWhereInterfacesAreLeftOut) {
     const std::string gone = "AttributeBegin Material \"interface\" Shape \"sphere\" AttributeEnd ";
     const Scene scene = parse_world(kLight + gone + "ObjectBegin \"a\" " + gone + "Shape \"sphere\" " + gone +
                                     "ObjectEnd " + gone + "ObjectBegin \"b\" " + gone + "ObjectEnd Shape \"sphere\"");
-    EXPECT_EQ(scene.shapes.size(), 2u);
-    EXPECT_EQ(range(scene.objects.at(0)), std::pair(0u, 1u));
-    EXPECT_EQ(range(scene.objects.at(1)), std::pair(1u, 1u));
+    EXPECT_EQ(scene.shapes.size(), 1u);
+    EXPECT_EQ(scene.objects.at(0).shapes.size(), 1u);
+    EXPECT_TRUE(scene.objects.at(1).shapes.empty());
 }
 
 TEST(SceneObjects, GiveNoLight) {
     const Scene scene = parse_world(kLight +
                                     "AreaLightSource \"diffuse\"\nObjectBegin \"o\" Shape \"sphere\" ObjectEnd "
                                     "Shape \"sphere\"");
-    EXPECT_FALSE(scene.shapes[0].area_light);
-    EXPECT_TRUE(scene.shapes[1].area_light);
+    EXPECT_FALSE(scene.objects.at(0).shapes.at(0).area_light);
+    EXPECT_TRUE(scene.shapes.at(0).area_light);
     EXPECT_THAT(scene.warnings, ElementsAre("t.pbrt:4:23: a shape of an object gives no light, as in pbrt-v4: its "
                                             "AreaLightSource is left out"));
 }
