@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "support/scene_bench.h"
+#include "scene_bench.h"
 
 namespace emulsion::bench {
 namespace {

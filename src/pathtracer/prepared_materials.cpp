@@ -13,7 +13,8 @@ namespace {
 bool is_constant(const Spectrum& spectrum) noexcept {
     const double first = eval(spectrum, static_cast<double>(kMinWavelength_nm));
     for (int lambda_nm = kMinWavelength_nm + 1; lambda_nm <= kMaxWavelength_nm; ++lambda_nm) {
-        if (eval(spectrum, static_cast<double>(lambda_nm)) != first) return false;
+        // Within what interpolation rounds.
+        if (std::abs(eval(spectrum, static_cast<double>(lambda_nm)) - first) > 1e-9 * std::abs(first)) return false;
     }
     return true;
 }

@@ -49,7 +49,7 @@ TEST(SceneOptions, Camera) {
     const Scene parallel = parse_options(R"(Translate 0 0 -3 Camera "orthographic" "float lensradius" 2
         "float screenwindow" [ -1 2 -3 4 ] "float frameaspectratio" 2)");
     const auto& orthographic = std::get<OrthographicCamera>(parallel.camera);
-    EXPECT_EQ(orthographic.world_from_camera.translation(), Imath::V3d(0, 0, 3));
+    EXPECT_EQ(orthographic.world_from_camera.translation() + parallel.origin, Imath::V3d(0, 0, 3));
     EXPECT_EQ(orthographic.screen.bounds, (std::array<double, 4>{-1, 2, -3, 4}));
     EXPECT_EQ(orthographic.screen.frame_aspect_ratio, 2.0);
     EXPECT_EQ(orthographic.lens.radius, 2.0);
