@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "pathtracer/scene_bench.h"
+#include "support/scene_bench.h"
 
 namespace emulsion::bench {
 namespace {

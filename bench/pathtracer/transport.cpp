@@ -1,7 +1,7 @@
 // What wavelengths cost on the Cornell box: N of them per path against red, green and blue, render by render in turn.
 // The ratio is per sample; docs/path-tracer.md charts it.
 
-#include "pathtracer/scene_bench.h"
+#include "support/scene_bench.h"
 
 namespace emulsion::bench {
 namespace {

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "pathtracer/bilinear.h"
+#include "pathtracer/spherical_triangle.h"
 #include "pathtracer/surface.h"
 
 namespace emulsion {
@@ -37,6 +40,41 @@ float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
     const double distance2 = (V3d(met.point) - V3d(met.from)).length2();
     return static_cast<float>(area_pdf * distance2 / static_cast<double>(std::abs(met.direction.dot(met.normal))));
 }
+
+// --- Flat faces
+
+/// Triangles and flat patches that are seen under less than this, in steradians, are sampled by area: see
+/// docs/geometry.md for the measured errors of both.
+constexpr double kLeastSolidAngle = 1e-3;
+
+/// A sample in a direction drawn uniformly from a solid angle.
+EmitterSample towards(const SurfacePoint& light, const V3d& direction, double solid_angle, bool two_sided) noexcept {
+    EmitterSample sample;
+    sample.to_light = unit(V3f(direction));
+    if (!two_sided && sample.to_light.dot(light.geometric_normal) >= 0.0f) return sample;
+    sample.target = light.origin_towards(-sample.to_light);
+    sample.pdf = static_cast<float>(1.0 / solid_angle);
+    sample.scale = 1.0f;
+    return sample;
+}
+
+/// Where on the triangle a ray from the origin goes, kept within: p0 + u edge1 + v edge2.
+std::pair<float, float> where_met(const V3d& p0, const V3d& edge1, const V3d& edge2, const V3d& direction) noexcept {
+    const V3d across = direction.cross(edge2);
+    const double determinant = across.dot(edge1);
+    const double u = std::clamp(-across.dot(p0) / determinant, 0.0, 1.0);
+    const double v = std::clamp(-direction.dot(p0.cross(edge1)) / determinant, 0.0, 1.0 - u);
+    return {static_cast<float>(u), static_cast<float>(v)};
+}
+
+/// The two triangles of a flat patch.
+struct SeenPatch {
+    SphericalTriangle lower, upper;
+
+    SeenPatch(const BilinearPatch& patch, const V3d& from) noexcept
+        : lower(patch.p00 - from, patch.p10 - from, patch.p01 - from),
+          upper(patch.p11 - from, patch.p01 - from, patch.p10 - from) {}
+};
 
 // --- Spheres
 
@@ -95,27 +133,61 @@ V2d met_uv(const BilinearMesh& mesh, const BilinearPatch& patch, const MetEmitte
 }  // namespace
 
 EmitterSample sample_one(const TriangleEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
+    const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
+    const V3d p0 = triangle.p0 - V3d(from);
+    const SphericalTriangle seen(p0, p0 + triangle.edge1, p0 + triangle.edge2);
+    Hit hit{.primitive = emitter.triangle};
+    if (seen.solid_angle >= kLeastSolidAngle) {
+        const V3d direction = sample(seen, {static_cast<double>(u[0]), static_cast<double>(u[1])});
+        std::tie(hit.u, hit.v) = where_met(p0, triangle.edge1, triangle.edge2, direction);
+        return towards(surface_point(*emitter.mesh, triangle, hit), direction, seen.solid_angle, emitter.two_sided);
+    }
     // Uniform over the area. Source: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
     const bool lower = u[0] > u[1];
-    const float b1 = lower ? u[0] - 0.5f * u[1] : 0.5f * u[0], b2 = lower ? 0.5f * u[1] : u[1] - 0.5f * u[0];
-    const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
-    const Hit hit{.u = b1, .v = b2, .primitive = emitter.triangle};
+    hit.u = lower ? u[0] - 0.5f * u[1] : 0.5f * u[0];
+    hit.v = lower ? 0.5f * u[1] : u[1] - 0.5f * u[0];
     return from_area(surface_point(*emitter.mesh, triangle, hit), 1.0 / triangle.area, emitter.two_sided, from);
 }
 
 float pdf_of(const TriangleEmitter& emitter, const MetEmitter& met) noexcept {
-    return solid_angle_pdf(met, 1.0 / TriangleGeometry(*emitter.mesh, emitter.triangle).area);
+    const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
+    const V3d p0 = triangle.p0 - V3d(met.from);
+    const double solid_angle = SphericalTriangle(p0, p0 + triangle.edge1, p0 + triangle.edge2).solid_angle;
+    if (solid_angle >= kLeastSolidAngle) return static_cast<float>(1.0 / solid_angle);
+    return solid_angle_pdf(met, 1.0 / triangle.area);
 }
 
 EmitterSample sample_one(const PatchEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
-    const V2d uv(static_cast<double>(u[0]), static_cast<double>(u[1]));
-    const double area_pdf = patch_area_pdf(BilinearPatch(*emitter.mesh, emitter.patch), uv);
+    const BilinearPatch patch(*emitter.mesh, emitter.patch);
+    V2d uv(static_cast<double>(u[0]), static_cast<double>(u[1]));
+    if (emitter.mesh->flat) {
+        // Two triangles are one where they are seen: each is drawn by its share of the solid angle.
+        const SeenPatch seen(patch, V3d(from));
+        const double total = seen.lower.solid_angle + seen.upper.solid_angle;
+        if (total >= kLeastSolidAngle) {
+            const double drawn = uv.x * total;
+            const bool is_lower = drawn < seen.lower.solid_angle;
+            const SphericalTriangle& part = is_lower ? seen.lower : seen.upper;
+            const double within = (is_lower ? drawn : drawn - seen.lower.solid_angle) / part.solid_angle;
+            const V3d direction = sample(part, {std::min(within, 1.0), uv.y});
+            const V3d normal = (patch.p11 - patch.p00).cross(patch.p01 - patch.p10);
+            const double t = normal.dot(patch.p00 - V3d(from)) / normal.dot(direction);
+            uv = patch_uv(patch, V3d(from) + direction * t);
+            return towards(surface_point(*emitter.mesh, emitter.patch, uv), direction, total, emitter.two_sided);
+        }
+    }
+    const double area_pdf = patch_area_pdf(patch, uv);
     if (area_pdf == 0.0) return {};
     return from_area(surface_point(*emitter.mesh, emitter.patch, uv), area_pdf, emitter.two_sided, from);
 }
 
 float pdf_of(const PatchEmitter& emitter, const MetEmitter& met) noexcept {
     const BilinearPatch patch(*emitter.mesh, emitter.patch);
+    if (emitter.mesh->flat) {
+        const SeenPatch seen(patch, V3d(met.from));
+        const double total = seen.lower.solid_angle + seen.upper.solid_angle;
+        if (total >= kLeastSolidAngle) return static_cast<float>(1.0 / total);
+    }
     return solid_angle_pdf(met, patch_area_pdf(patch, met_uv(*emitter.mesh, patch, met)));
 }
 

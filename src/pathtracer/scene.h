@@ -1,5 +1,9 @@
 #pragma once
-// What a scene file says, as plain values in world space: left-handed axes as in pbrt, lengths in the scene's own unit.
+// What a scene file says, as plain values: left-handed axes as in pbrt, lengths in the scene's own unit.
+//
+// What is called world space here has its origin at the camera, wherever the file's own is, and the axes of the file's.
+// Coordinates are brought there in double precision before anything is rounded: a scene that was moved far away is the
+// same scene, and the finest numbers are those near the eye.
 
 #include <array>
 #include <filesystem>
@@ -7,6 +11,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include <Imath/ImathVec.h>
 
 #include "core/image.h"
 #include "film/filter.h"
@@ -60,6 +66,7 @@ struct PathIntegratorSettings {
 };
 
 struct Scene {
+    Imath::V3d origin{0.0};  ///< of world space, as the file counts: where its camera is
     Camera camera;
     FilmSettings film;
     Filter filter = GaussianFilter{};

@@ -10,6 +10,21 @@
 
 namespace emulsion {
 
+namespace {
+
+/// Moves the camera to the origin; returns where it was.
+Imath::V3d moved_to_origin(Camera& camera) {
+    return std::visit(
+        [](auto& c) {
+            const Imath::V3d position = c.world_from_camera.translation();
+            c.world_from_camera = c.world_from_camera * translation(-position);
+            return position;
+        },
+        camera);
+}
+
+}  // namespace
+
 // --- Options
 
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
@@ -67,10 +82,16 @@ void SceneBuilder::world_begin(const SourcePlace& place) {
     world_begin_ = place;
     scene_.film.sensor.exposure_time_s = exposure_time_s_;
     check_sensor(place, scene_.film.sensor);
+    scene_.origin = moved_to_origin(scene_.camera);
     state_.frame.world_from_object.makeIdentity();
     state_.world_from_object_at_end.makeIdentity();
     state_.active = ActiveTransform::all;
     coordinate_system("world");
+}
+
+/// From the world of the file to the scene's, whose origin is the camera.
+Imath::M44d SceneBuilder::from_camera_position(const Imath::M44d& world_from_object) const {
+    return world_from_object * translation(-scene_.origin);
 }
 
 // --- World
@@ -137,7 +158,7 @@ void SceneBuilder::texture(const TextureDeclaration& declaration, ParameterList 
     inherit(AttributeTarget::texture, declaration.kind == "float" ? float_texture_table() : reflectance_texture_table(),
             list);
     warn_of_motion(list.place, "the texture");
-    textures_.make(declaration, list, {scene_, spectra_, files_, state_.frame.world_from_object});
+    textures_.make(declaration, list, {scene_, spectra_, files_, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
@@ -148,7 +169,8 @@ void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
 void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
     inherit(AttributeTarget::light, light_table(), list);
     warn_of_motion(list.place, "the light");
-    scene_.lights.push_back(read_light(list, {state_.frame.world_from_object, spectra_, files_, scene_.warnings}));
+    scene_.lights.push_back(
+        read_light(list, {from_camera_position(state_.frame.world_from_object), spectra_, files_, scene_.warnings}));
 }
 
 void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
@@ -157,7 +179,9 @@ void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
     if (state_.area_light && open_object_) {
         warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
     }
-    for (Geometry& geometry : read_shape(list, state_.frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
+    ShapeFrame frame = state_.frame;
+    if (!open_object_) frame.world_from_object = from_camera_position(frame.world_from_object);
+    for (Geometry& geometry : read_shape(list, frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
 }
 
 void SceneBuilder::add_shape(Geometry geometry) {
@@ -171,7 +195,7 @@ void SceneBuilder::add_shape(Geometry geometry) {
         shape.area_light = light_of_shape(*state_.area_light, light_areas(geometry));
     }
     shape.geometry = std::move(geometry);
-    auto& shapes = open_object_ ? scene_.objects.at(static_cast<std::size_t>(*open_object_)).shapes : scene_.shapes;
+    auto& shapes = open_object_ ? scene_.objects[*open_object_].shapes : scene_.shapes;
     shapes.push_back(std::move(shape));
 }
 

@@ -132,6 +132,7 @@ class SceneBuilder {
         Imath::M44d world_from_object;
     };
 
+    [[nodiscard]] Imath::M44d from_camera_position(const Imath::M44d& world_from_object) const;
     void note_option(const SourcePlace& place, const std::string& directive);
     /// Sets the active transformations to what `change` makes of them.
     template <class Change>
@@ -170,9 +171,9 @@ class SceneBuilder {
     std::map<std::string, SourcePlace> options_seen_;
     std::map<std::string, NamedMaterial> named_materials_;
     int default_material_ = -1;
-    std::map<std::string, int> objects_;  // indices into Scene::objects
+    std::map<std::string, std::size_t> objects_;  // indices into Scene::objects
     std::vector<SourcePlace> object_places_;
-    std::optional<int> open_object_;
+    std::optional<std::size_t> open_object_;
     std::vector<InstanceUse> instance_uses_;
     bool warned_of_transform_begin_ = false;
 };

@@ -169,14 +169,12 @@ void SceneBuilder::import_end() {
 void SceneBuilder::object_begin(const SourcePlace& place, const std::string& name) {
     if (open_object_) {
         throw SceneError(place, "ObjectBegin inside an object",
-                         "the ObjectEnd of the ObjectBegin at " +
-                             to_text(object_places_.at(static_cast<std::size_t>(*open_object_))));
+                         "the ObjectEnd of the ObjectBegin at " + to_text(object_places_.at(*open_object_)));
     }
-    const auto [entry, added] = objects_.try_emplace(name, static_cast<int>(scene_.objects.size()));
+    const auto [entry, added] = objects_.try_emplace(name, scene_.objects.size());
     if (!added) {
         throw SceneError(place, fmt::format("a second object {}", quote(name)),
-                         "each name only once (the first is at " +
-                             to_text(object_places_.at(static_cast<std::size_t>(entry->second))) + ")");
+                         "each name only once (the first is at " + to_text(object_places_.at(entry->second)) + ")");
     }
     begin_block(place, BlockKind::object, "Object");
     open_object_ = entry->second;
@@ -196,7 +194,7 @@ void SceneBuilder::object_instance(const SourcePlace& place, const SourcePlace& 
                          "it outside: objects are made of shapes only, as in pbrt-v4");
     }
     require_rest(place, "an instance");
-    instance_uses_.push_back({name, place_of_name, state_.frame.world_from_object});
+    instance_uses_.push_back({name, place_of_name, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::resolve_instances() {
@@ -208,7 +206,7 @@ void SceneBuilder::resolve_instances() {
             throw SceneError(use.place_of_name, "unknown object " + quote(use.object),
                              "one that ObjectBegin makes" + nearest_hint(use.object, known));
         }
-        scene_.instances.push_back({object->second, use.world_from_object});
+        scene_.instances.push_back({static_cast<int>(object->second), use.world_from_object});
     }
 }
 

@@ -190,8 +190,9 @@ BiasScene from_file(const std::string& name, const std::string& file) {
 std::vector<BiasCase> every_case(const Effort& effort) {
     std::vector<BiasCase> cases;
     const int samples = effort.samples_per_pixel;
-    for (const BiasScene& scene :
-         {furnace(), floor_under_panel(), from_file("CornellBox", "scenes/cornell-box.pbrt")}) {
+    for (const BiasScene& scene : {furnace(), floor_under_panel(), from_file("CornellBox", "scenes/cornell-box.pbrt"),
+                                   from_file("Metals", "tests/data/reference/metals.pbrt"),
+                                   from_file("RgbStillLife", "tests/data/reference/rgb-still-life.pbrt")}) {
         for (const Sampler& sampler : {Sampler{IndependentSampler{samples}}, Sampler{PaddedSobolSampler{samples}}}) {
             cases.push_back({scene, sampler, effort, 0});
         }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +143,49 @@ const LightCase kCases[] = {
     {"cylinderFromInside", R"(ReverseOrientation Shape "cylinder" "float zmax" 5)", {0.2f, 0.1f, 0}},
 };
 INSTANTIATE_TEST_SUITE_P(Shapes, AreaEmitter, ::testing::ValuesIn(kCases), name_of);
+
+/// Lambert's formula for a polygon: irradiance per radiance at a point with the unit `normal`, all corners above it.
+double polygon_irradiance(const std::vector<Imath::V3d>& corners, const Imath::V3d& from, const Imath::V3d& normal) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Imath::V3d a = (corners[i] - from).normalized();
+        const Imath::V3d b = (corners[(i + 1) % corners.size()] - from).normalized();
+        const Imath::V3d across = a.cross(b);
+        sum += 0.5 * std::atan2(across.length(), a.dot(b)) * across.normalized().dot(normal);
+    }
+    return std::abs(sum);
+}
+
+/// However close a point is to the light, one sample is about as good as another: by area, a sample near the point
+/// would count (distance to the light)^-2 times as much.
+TEST(AreaEmitters, GiveTheIrradianceCloseBy) {
+    const std::vector<Imath::V3d> corners = {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}};
+    const std::string points[] = {
+        R"(Shape "bilinearmesh" "point3 P" [-1 -1 0  -1 1 0  1 -1 0  1 1 0])",
+        R"(Shape "trianglemesh" "point3 P" [-1 -1 0  -1 1 0  1 1 0  1 -1 0] "integer indices" [0 1 2 0 2 3])"};
+    for (const std::string& shape : points) {
+        const PreparedScene scene(parse_world("AreaLightSource \"diffuse\" " + shape), 1);
+        for (const float distance : {1e-5f, 1e-3f, 0.1f, 1.0f, 30.0f, 100.0f}) {
+            const Imath::V3f from(0.3f, -0.2f, -distance), normal(0.0f, 0.0f, 1.0f);
+            Pcg32 random(3);
+            Mean irradiance;
+            for (int i = 0; i < 20000; ++i) {
+                double sum = 0.0;
+                for (const Emitter& emitter : scene.emitters()) {
+                    const float u = random.next_float();
+                    const EmitterSample light = sample(emitter.geometry, from, {u, random.next_float()});
+                    if (light.scale == 0.0f) continue;
+                    sum += static_cast<double>(light.to_light.dot(normal)) / static_cast<double>(light.pdf);
+                }
+                irradiance.add(sum);
+            }
+            const double expected = polygon_irradiance(corners, Imath::V3d(from), Imath::V3d(normal));
+            EXPECT_NEAR(irradiance.mean(), expected, 4.5 * irradiance.standard_error() + 1e-5 * expected) << distance;
+            // That of cosines uniform in [0, 1] is 1/sqrt(3) of their mean.
+            EXPECT_LT(irradiance.standard_error() * std::sqrt(20000.0), 0.6 * expected) << distance;
+        }
+    }
+}
 
 /// Emitters are many: a mesh of 10 million triangles may shine.
 TEST(AreaEmitters, AreSmall) { EXPECT_LE(sizeof(TriangleEmitter), 16u); }

@@ -31,13 +31,13 @@ Ray towards_floor(float x, float y) {
 class Irradiance : public ::testing::TestWithParam<Sampler> {
   protected:
     void expect_irradiance(const Scene& scene, float x, float y, const Spectrum& reflectance, const Spectrum& emission,
-                           double irradiance_of_unit_emission, int count = 100000) const {
+                           double irradiance_of_unit_emission, int count = 100000, double rounding = 4e-6) const {
         const auto estimate = estimate_radiance(scene, towards_floor(x, y), count, GetParam());
         for (std::size_t i = 0; i < 4; ++i) {
             const auto lambda_nm = static_cast<double>(kTestWavelengths_nm[i]);
             const double expected =
                 eval(reflectance, lambda_nm) * eval(emission, lambda_nm) * irradiance_of_unit_emission / kPi;
-            EXPECT_NEAR(estimate.mean[i], expected, 4.0 * estimate.standard_error[i] + 4e-6 * expected)
+            EXPECT_NEAR(estimate.mean[i], expected, 4.0 * estimate.standard_error[i] + rounding * expected)
                 << lambda_nm << " nm";
             EXPECT_LT(estimate.standard_error[i], 0.005 * expected);
         }
@@ -68,8 +68,9 @@ TEST_P(Irradiance, SpotLightFadesTowardsItsEdge) {
         const double t = std::clamp((cosine - 0.7) / (0.9 - 0.7), 0.0, 1.0);
         return t * t * (3.0 - 2.0 * t) * cosine / distance2;
     };
+    // The falloff magnifies the rounding of the cosine (some 2^-23) by its relative slope, up to 80 close to the edge.
     for (const float x : {0.0f, 0.5f, 1.2f, 1.5f, 1.9f}) {
-        expect_irradiance(scene, x, 0.0f, reflectance_, emission_, irradiance(static_cast<double>(x)), 100);
+        expect_irradiance(scene, x, 0.0f, reflectance_, emission_, irradiance(static_cast<double>(x)), 100, 2e-5);
     }
     const auto outside = estimate_radiance(scene, towards_floor(2.1f, 0.0f), 100, GetParam());
     for (const double radiance : outside.mean) EXPECT_EQ(radiance, 0.0);

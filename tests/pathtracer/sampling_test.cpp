@@ -15,6 +15,7 @@
 #include "core/random.h"
 #include "pathtracer/emitters.h"
 #include "pathtracer/vector_math.h"
+#include "scene_text.h"
 #include "support/density_check.h"
 
 namespace emulsion::testing {
@@ -152,6 +153,11 @@ Scene shining(const decltype(Shape::geometry)& geometry, Sides sides = Sides::on
     return scene;
 }
 
+/// The same of a shape as scene files have it; both sides shine.
+Scene parsed(const std::string& shape) {
+    return parse_world("AreaLightSource \"diffuse\" \"bool twosided\" true " + shape);
+}
+
 Scene both(Scene scene, const Scene& other) {
     scene.shapes.insert(scene.shapes.end(), other.shapes.begin(), other.shapes.end());
     scene.lights.insert(scene.lights.end(), other.lights.begin(), other.lights.end());
@@ -199,6 +205,12 @@ std::vector<SamplingCase> every_case() {
         lights_case("EllipsoidFromOutside", shining(egg), {0, 0, 0}, {0.4, -0.3, 5}),
         lights_case("EllipsoidFromInside", shining(inward(egg)), {1.2f, -0.4f, 5.2f}, {0, 0, 1}),
         lights_case("EllipsoidOfTwoSides", shining(egg, Sides::two), {0, 0, 0}, {0.4, -0.3, 5}),
+        lights_case("Disk", parsed(R"(Translate 0.3 0.2 2 Rotate 160 1 0 0 Shape "disk" "float radius" 1.2)"),
+                    {0, 0, 0}, {0, 0, 1}),
+        lights_case("Cylinder", parsed(R"(Translate 0.3 0.2 3 Rotate 70 1 0 0 Shape "cylinder")"), {0, 0, 0},
+                    {0, 0, 1}),
+        lights_case("BilinearPatch", parsed(R"(Shape "bilinearmesh" "point3 P" [-1 -1 2  -1 1 3  1 -3 3  1 2 2])"),
+                    {0.5f, 0, 0}, {0, 0, 1}),
         lights_case("Sky", sky(), {0, 0, 0}, {0, 0, 1}),
         lights_case("SphereAndPanelUnderSky", both(both(shining(ball), shining(panel())), sky()), {2, 1, 1}, {0, 0, 1}),
     };

@@ -146,7 +146,8 @@ TEST(SceneLights, RefusesWhatIsNoSpotLight) {
 class SceneImageLights : public ::testing::Test {
   protected:
     SceneImageLights() {
-        write_text(folder_.file("even.png"), png_bytes({.width = 8, .height = 8}, std::vector<int>(192, 255)));
+        write_text(folder_.file("even.png"),
+                   png_bytes({.width = 64, .height = 64}, std::vector<int>(3 * 64 * 64, 255)));
         write_text(folder_.file("wide.png"), png_bytes({.width = 2, .height = 1}, std::vector<int>(6, 255)));
         write_text(folder_.file("black.png"), png_bytes({}, std::vector<int>(3, 0)));
     }
@@ -178,10 +179,10 @@ TEST_F(SceneImageLights, ScaleIsTheLuminanceOfAWhiteTexel) {
 }
 
 TEST_F(SceneImageLights, IlluminanceIsReckonedAsInPbrt) {
-    // An even picture of luminance 1 gives pi lux. pbrt-v4 takes that for pi/2, summed over 8 x 8 texels: their
-    // centres' cosines have a mean that is 1/4 to 1 %.
+    // An even picture of luminance 1 gives pi lux. pbrt-v4 takes that for pi/2, summed over texels: their
+    // centres' cosines have a mean of 1/4 but for one row of texels along the horizon, 1/64.
     const ImageInfiniteLight even = light(R"("string filename" "even.png" "float illuminance" 10 "float scale" 3)");
-    EXPECT_NEAR(photometric(even.illuminant), 30.0 / (kPi / 2.0), 0.01 * 30.0 / (kPi / 2.0));
+    EXPECT_NEAR(photometric(even.illuminant), 30.0 / (kPi / 2.0), 30.0 / (kPi / 2.0) / 64);
 }
 
 TEST_F(SceneImageLights, ThePictureTurnsWithTheCurrentSpace) {
@@ -223,8 +224,7 @@ TEST_F(SceneImageLights, RefusesWhatIsNoLight) {
               "t.pbrt:2:25: found the picture of an infinite light that is stretched or skewed, expected a "
               "transformation that rotates, mirrors, scales alike in all directions and moves");
     EXPECT_EQ(error(R"("string filename" "even.png" "float scale" 1e300)"),
-              "t.pbrt:2:13: found a light scaled by " +
-                  error(R"("string filename" "even.png" "float scale" 1e300)").substr(38));
+              "t.pbrt:2:13: found a light scaled by 2.77112e+293, expected one that single precision holds");
     EXPECT_EQ(
         error(R"("string filename" "even.png" "point portal" [0 0 0 1 0 0 1 1 0 0 1 0])"),
         "t.pbrt:2:53: found parameter \"portal\" of light source \"infinite\", expected a supported one (known to "
@@ -329,10 +329,6 @@ TEST(SceneLights, RefusesWhatMakesNoLight) {
               "t.pbrt:2:13: found a light at (1e+60, 2, 3), expected coordinates from -1e15 to 1e15 in world space");
     EXPECT_EQ(world_error_of(R"(LightSource "point" "point3 from" [1 2 3 4])"),
               "t.pbrt:2:21: found 4 values for parameter \"from\" of light source \"point\", expected 3");
-    EXPECT_EQ(
-        world_error_of(R"(LightSource "infinite" "string filename" "sky.exr")"),
-        "t.pbrt:2:24: found parameter \"filename\" of light source \"infinite\", expected a supported one (known to "
-        "pbrt-v4 and not yet supported here; supported: L, scale, illuminance)");
 }
 
 }  // namespace

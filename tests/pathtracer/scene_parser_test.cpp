@@ -46,8 +46,8 @@ TEST(SceneParser, NamesTheTokenAtFault) {
         {"WorldBegin Material \"hair\"",
          "1:21: found material \"hair\", " + unsupported +
              "diffuse, conductor, dielectric, thindielectric, diffusetransmission, coateddiffuse, mix, interface)"},
-        {"WorldBegin LightSource \"spot\"",
-         "1:24: found light source \"spot\", " + unsupported + "point, distant, infinite)"},
+        {"WorldBegin LightSource \"projection\"",
+         "1:24: found light source \"projection\", " + unsupported + "point, spot, distant, infinite)"},
         {"WorldBegin Shape \"curve\"", "1:18: found shape \"curve\", " + unsupported +
                                            "trianglemesh, bilinearmesh, plymesh, sphere, disk, cylinder)"},
         {"Film \"gbuffer\"", "1:6: found film \"gbuffer\", " + unsupported + "rgb, spectral)"},

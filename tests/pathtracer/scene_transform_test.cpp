@@ -72,7 +72,23 @@ TEST(SceneTransform, WorldBeginSetsItBack) {
 }
 
 Imath::V3d in_world(const Scene& scene, const Imath::V3d& camera_point) {
-    return transform_point(std::get<PerspectiveCamera>(scene.camera).world_from_camera, camera_point);
+    return transform_point(std::get<PerspectiveCamera>(scene.camera).world_from_camera, camera_point) + scene.origin;
+}
+
+/// The scene's own origin is at the camera, so that nothing is rounded far from it.
+TEST(SceneTransform, WorldSpaceHasItsOriginAtTheCamera) {
+    const std::string look = "LookAt 1e9 20 30  1e9 20 31  0 1 0 Camera \"perspective\" WorldBegin ";
+    for (const char* const place :
+         {"Translate 1e9 20 30 Translate 0.125 1 2", "Identity Translate 1e9 21 32 Translate .125 0 0",
+          "Transform [1 0 0 0 0 1 0 0 0 0 1 0 1000000000.125 21 32 1]"}) {
+        const Scene scene = parse(look + place + " LightSource \"point\" Shape \"sphere\"");
+        expect_near(scene.origin, {1e9, 20, 30});
+        EXPECT_EQ(std::get<PerspectiveCamera>(scene.camera).world_from_camera.translation(), Imath::V3d(0.0)) << place;
+        EXPECT_EQ(std::get<PointLight>(scene.lights.at(0)).position, Imath::V3d(0.125, 1, 2)) << place;
+        EXPECT_EQ(std::get<Sphere>(scene.shapes.at(0).geometry).world_from_object.translation(),
+                  Imath::V3d(0.125, 1, 2))
+            << place;
+    }
 }
 
 TEST(SceneTransform, LookAtMakesALeftHandedFrame) {
