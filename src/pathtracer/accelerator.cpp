@@ -41,9 +41,10 @@ struct Accelerator::Embree {
     }
     [[nodiscard]] RTCScene new_scene() const;
     void attach(RTCScene to, RTCGeometry geometry, std::size_t number) const;
-    [[nodiscard]] RTCGeometry make_geometry(const TriangleMesh& mesh);
-    [[nodiscard]] RTCGeometry make_geometry(const BilinearMesh& mesh);
+    [[nodiscard]] RTCGeometry make_geometry(const TriangleMesh& mesh) const;
+    [[nodiscard]] RTCGeometry make_geometry(const BilinearMesh& mesh) const;
     template <class Quadric>
+    requires requires(const Quadric& quadric) { prepared(quadric); }
     [[nodiscard]] RTCGeometry make_geometry(const Quadric& quadric);
     [[nodiscard]] RTCGeometry make_instance(const ObjectInstance& instance) const;
 
@@ -226,7 +227,7 @@ void Accelerator::Embree::attach(RTCScene to, RTCGeometry geometry, std::size_t 
     rtcReleaseGeometry(geometry);
 }
 
-RTCGeometry Accelerator::Embree::make_geometry(const TriangleMesh& mesh) {
+RTCGeometry Accelerator::Embree::make_geometry(const TriangleMesh& mesh) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     set_positions(geometry, mesh.position);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangle.data(), 0,
@@ -234,7 +235,7 @@ RTCGeometry Accelerator::Embree::make_geometry(const TriangleMesh& mesh) {
     return geometry;
 }
 
-RTCGeometry Accelerator::Embree::make_geometry(const BilinearMesh& mesh) {
+RTCGeometry Accelerator::Embree::make_geometry(const BilinearMesh& mesh) const {
     if (!mesh.flat) return user_geometry(device, mesh, mesh.patch.size());
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
     set_positions(geometry, mesh.position);
@@ -246,6 +247,7 @@ RTCGeometry Accelerator::Embree::make_geometry(const BilinearMesh& mesh) {
 }
 
 template <class Quadric>
+requires requires(const Quadric& quadric) { prepared(quadric); }
 RTCGeometry Accelerator::Embree::make_geometry(const Quadric& quadric) {
     quadrics.push_back(std::make_unique<PreparedQuadric>(prepared(quadric)));
     return std::visit([&](const auto& shape) { return user_geometry(device, shape, 1); }, *quadrics.back());
@@ -255,11 +257,8 @@ RTCGeometry Accelerator::Embree::make_instance(const ObjectInstance& instance) c
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, objects[static_cast<std::size_t>(instance.object)]);
     std::array<float, 12> columns{};  // the images of x, y and z, and of the origin
-    for (int row = 0; row < 4; ++row) {
-        for (int axis = 0; axis < 3; ++axis) {
-            columns[static_cast<std::size_t>(3 * row + axis)] =
-                static_cast<float>(instance.world_from_object[row][axis]);
-        }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i] = static_cast<float>(instance.world_from_object.x[i / 3][i % 3]);
     }
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     return geometry;

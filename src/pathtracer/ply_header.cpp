@@ -43,14 +43,15 @@ class HeaderLines {
     HeaderLines(const std::filesystem::path& path, std::string_view bytes) : path_(path), bytes_(bytes) {
         const std::size_t end = bytes.find_first_of("\r\n");
         if (bytes.substr(0, end) != "ply") fail(quote(bytes.substr(0, std::min(end, std::size_t{12}))), "\"ply\"");
-        if (end != bytes.npos) line_end_ = bytes.substr(end, bytes.substr(end, 2) == "\r\n" ? 2 : 1);
+        if (end != std::string_view::npos) line_end_ = bytes.substr(end, bytes.substr(end, 2) == "\r\n" ? 2 : 1);
         offset_ = 3 + line_end_.size();
     }
 
     void next_line() {
         ++line_;
-        const std::size_t end = line_end_.empty() ? bytes_.npos : bytes_.substr(0, most_end()).find(line_end_, offset_);
-        if (end == bytes_.npos) fail("the end of the file or a very long line", "a line of the header");
+        const std::size_t end =
+            line_end_.empty() ? std::string_view::npos : bytes_.substr(0, most_end()).find(line_end_, offset_);
+        if (end == std::string_view::npos) fail("the end of the file or a very long line", "a line of the header");
         words_ = bytes_.substr(offset_, end - offset_);
         offset_ = end + line_end_.size();
     }

@@ -77,8 +77,9 @@ double PlyValues::next_of_text() {
     if (end != word.data() + word.size() || error == std::errc::invalid_argument) fail(quote(word), "a number");
     // Of one that no double holds, it is not told whether it is too large or too small: the latter does no harm.
     if (error == std::errc::result_out_of_range) {
-        return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0
-                                                                            : std::numeric_limits<double>::infinity();
+        return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos
+                   ? 0.0
+                   : std::numeric_limits<double>::infinity();
     }
     return value;
 }

@@ -11,7 +11,7 @@ namespace emulsion {
 
 /// An instance made ready for shading. The map is the one that Embree has: its numbers are rounded to single precision.
 struct PreparedInstance {
-    explicit PreparedInstance(const Imath::M44d& world_from_object);
+    explicit PreparedInstance(const Imath::M44d& exact);
 
     Imath::M44d world_from_object, object_from_world;
     float stretch;    ///< most by which the map makes a coordinate grow

@@ -247,11 +247,12 @@ std::vector<Geometry> read_ply_mesh(const ParameterList& list, const ShapeFrame&
     MeshVertices vertices = to_world(ply, frame, *file);
     const bool has_triangles = !ply.triangle.empty(), has_patches = !ply.patch.empty();
     if (!has_triangles && !has_patches) warn_of(1, "has no faces; shapes without any");
-    if (has_patches) {
-        MeshVertices own = has_triangles ? vertices : std::move(vertices);
-        add_patches(std::move(own), std::move(ply.patch), list, reading, shapes);
+    if (has_triangles && has_patches) add_patches(vertices, std::move(ply.patch), list, reading, shapes);
+    if (has_triangles) {
+        add_triangles(std::move(vertices), std::move(ply.triangle), list, reading, shapes);
+    } else if (has_patches) {
+        add_patches(std::move(vertices), std::move(ply.patch), list, reading, shapes);
     }
-    if (has_triangles) add_triangles(std::move(vertices), std::move(ply.triangle), list, reading, shapes);
     return shapes;
 }
 

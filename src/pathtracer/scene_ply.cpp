@@ -18,7 +18,7 @@ namespace emulsion {
 namespace {
 
 /// What of a vertex is kept, by its place in an array of numbers.
-enum Slot : std::size_t { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kSlots };
+constexpr std::size_t kX = 0, kY = 1, kZ = 2, kNx = 3, kNy = 4, kNz = 5, kU = 6, kV = 7, kSlots = 8;
 
 std::optional<std::size_t> place_of(const PlyElement& element, std::string_view name) noexcept {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {

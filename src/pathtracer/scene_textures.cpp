@@ -141,7 +141,7 @@ Parameter SceneTextures::read_scale(Kind<Parameter, Texture>& kind, const Parame
     std::vector<Texture>& textures = context.scene.*kind.textures;
     // pbrt-v4 scales images before they are inverted and clamped.
     const auto scaled_image = [&](std::size_t at, double factor) {
-        Parameter scaled = add<Parameter, Texture>(kind, textures[at], 1, list, context);
+        auto scaled = add<Parameter, Texture>(kind, textures[at], 1, list, context);
         std::get<ImageTexture<TexelOf<Parameter>>>(textures.back()).scale *= factor;
         return scaled;
     };

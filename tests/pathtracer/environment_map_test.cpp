@@ -159,7 +159,8 @@ TEST(EnvironmentMap, ColoursAreThoseOfTheTexelInTheDirection) {
     for (const Imath::M44d& world_from_light : {Imath::M44d(), kTurned, kMirrored}) {
         const EnvironmentMap map(light_of(4, texels, world_from_light));
         for (std::size_t i = 0; i < 16; ++i) {
-            const Imath::V2d centre((static_cast<double>(i % 4) + 0.5) / 4, (static_cast<double>(i / 4) + 0.5) / 4);
+            const std::size_t x = i % 4, y = i / 4;
+            const Imath::V2d centre((static_cast<double>(x) + 0.5) / 4, (static_cast<double>(y) + 0.5) / 4);
             const Imath::V3f direction(transform_vector(world_from_light, equal_area_direction(centre)));
             const auto rgb = map.colour(direction, RgbTransport::Index{});
             EXPECT_EQ(rgb[0], texels[i].r);

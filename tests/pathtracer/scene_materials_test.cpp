@@ -124,8 +124,7 @@ TEST(SceneMaterial, RefusesWhatMakesNone) {
         {R"(Material "mix" "string materials" ["a"])",
          "2:16: found 1 value for parameter \"materials\" of material \"mix\", expected 2"},
         {R"(Material "mix" "string materials" ["a" "c"] )" + kTwo,
-         "2:40: found unknown named material \"c\", expected one that MakeNamedMaterial makes (nearest known name: "
-         "\"a\")"},
+         "2:40: found unknown named material \"c\", expected one that MakeNamedMaterial makes (a, b)"},
         {R"(MakeNamedMaterial "m" "string type" "mix" "string materials" ["m" "m"])",
          "2:1: found a mix that is part of itself, expected one of other materials"},
         {R"(MakeNamedMaterial "i" "string type" "interface" Material "mix" "string materials" ["i" "i"])",

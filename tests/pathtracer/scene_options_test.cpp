@@ -46,10 +46,10 @@ TEST(SceneOptions, Camera) {
     EXPECT_EQ(perspective(scene).lens.radius, 0.25);
     EXPECT_EQ(perspective(scene).lens.focal_distance, 12.0);
 
-    const Scene parallel = parse_options(R"(Translate 0 0 -3 Camera "orthographic" "float lensradius" 2
+    const Scene parallel = parse_options(R"(Scale 1 1 -1 Camera "orthographic" "float lensradius" 2
         "float screenwindow" [ -1 2 -3 4 ] "float frameaspectratio" 2)");
     const auto& orthographic = std::get<OrthographicCamera>(parallel.camera);
-    EXPECT_EQ(orthographic.world_from_camera.translation(), Imath::V3d(0, 0, 3));
+    EXPECT_EQ(orthographic.world_from_camera, Imath::M44d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1));
     EXPECT_EQ(orthographic.screen.bounds, (std::array<double, 4>{-1, 2, -3, 4}));
     EXPECT_EQ(orthographic.screen.frame_aspect_ratio, 2.0);
     EXPECT_EQ(orthographic.lens.radius, 2.0);

@@ -24,6 +24,7 @@ declare -A users=(
     ['^(libpng[0-9]*/)?png(conf|libconf)?\.h$']=display
     ['^lcms2']=display
     ['^embree']=pathtracer
+    ['^stb/']=pathtracer
     ['^zlib\.h$']='display pathtracer'
     ['^hwy/']='core tonemap display'
 )
