@@ -57,7 +57,7 @@ std::string SceneTexts::cycle_of(const std::string& file) const {
     for (auto text = open_.rbegin(); text != open_.rend() && *text->file != file; ++text, ++between) {
         if (between < kFew) through += (between == 0 ? "" : ", ") + shown(*text->file);
     }
-    const std::string what = fmt::format("the file {} inside itself", shown(file));
+    std::string what = fmt::format("the file {} inside itself", shown(file));
     if (between == 0) return what;
     return fmt::format("{} (through {}{})", what, through,
                        between > kFew ? fmt::format(" and {} more", between - kFew) : "");

@@ -41,8 +41,8 @@ class SceneTexts {
   private:
     struct OpenText {
         Lexer lexer;
-        TextKind kind;
-        const std::string* file;  // its one canonical name
+        TextKind kind = TextKind::main;
+        const std::string* file = nullptr;  // its one canonical name
     };
     struct KeptText {
         std::string content;

@@ -126,7 +126,10 @@ void expect_sane(const Scene& scene, const std::string& text) {
         }
     }
     for (const ObjectDefinition& object : scene.objects) {
-        for (const Shape& shape : object.shapes) ASSERT_FALSE(shape.area_light) << text;
+        for (const Shape& shape : object.shapes) {
+            ASSERT_LT(static_cast<std::size_t>(shape.material), scene.materials.size()) << text;
+            ASSERT_FALSE(shape.area_light) << text;
+        }
     }
     for (const ObjectInstance& instance : scene.instances) {
         ASSERT_LT(static_cast<std::size_t>(instance.object), scene.objects.size()) << text;

@@ -70,10 +70,11 @@ TEST(CoordinateSystems, AreBroughtBackByName) {
         AttributeBegin CoordSysTransform "here" Translate 1 0 0 Shape "sphere" AttributeEnd
         CoordSysTransform "camera" Shape "sphere" CoordSysTransform "world" Shape "sphere"
         CoordSysTransform "before" Shape "sphere")");
-    EXPECT_EQ(centre_of(scene, 0), Imath::V3d(4, 0, 0));
-    EXPECT_EQ(centre_of(scene, 1), Imath::V3d(0, 0, 5));  // where the camera is
-    EXPECT_EQ(centre_of(scene, 2), Imath::V3d(0, 0, 0));
-    EXPECT_EQ(centre_of(scene, 3), Imath::V3d(9, 9, 4));
+    // Places are counted from the camera, which stands at z = 5.
+    EXPECT_EQ(centre_of(scene, 0), Imath::V3d(4, 0, -5));
+    EXPECT_EQ(centre_of(scene, 1), Imath::V3d(0, 0, 0));
+    EXPECT_EQ(centre_of(scene, 2), Imath::V3d(0, 0, -5));
+    EXPECT_EQ(centre_of(scene, 3), Imath::V3d(9, 9, -1));
 }
 
 TEST(CoordinateSystems, AnUnknownOneIsWarnedOf) {
