@@ -24,10 +24,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-const std::filesystem::path& folder() {
-    static const std::filesystem::path kFolder = EMULSION_SOURCE_DIR "/scenes";
-    return kFolder;
-}
+std::filesystem::path folder() { return EMULSION_SOURCE_DIR "/scenes"; }
 
 std::vector<std::string> every_scene() {
     std::vector<std::string> names;
