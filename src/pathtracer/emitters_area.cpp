@@ -45,7 +45,7 @@ float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
 
 /// Triangles and flat patches that are seen under less than this, in steradians, are sampled by area: see
 /// docs/geometry.md for the measured errors of both, and what they cost.
-constexpr double kLeastSolidAngle = 0.02;
+constexpr double kLeastSolidAngle = 0.1;
 
 /// A sample in a direction drawn uniformly from a solid angle.
 EmitterSample towards(const SurfacePoint& light, const V3d& direction, double solid_angle, bool two_sided) noexcept {
