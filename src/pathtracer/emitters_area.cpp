@@ -44,8 +44,8 @@ float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
 // --- Flat faces
 
 /// Triangles and flat patches that are seen under less than this, in steradians, are sampled by area: see
-/// docs/geometry.md for the measured errors of both.
-constexpr double kLeastSolidAngle = 1e-3;
+/// docs/geometry.md for the measured errors of both, and what they cost.
+constexpr double kLeastSolidAngle = 0.1;
 
 /// A sample in a direction drawn uniformly from a solid angle.
 EmitterSample towards(const SurfacePoint& light, const V3d& direction, double solid_angle, bool two_sided) noexcept {
@@ -56,6 +56,14 @@ EmitterSample towards(const SurfacePoint& light, const V3d& direction, double so
     sample.pdf = static_cast<float>(1.0 / solid_angle);
     sample.scale = 1.0f;
     return sample;
+}
+
+/// Whether a triangle with its first corner at p0 from the receiver may be seen under kLeastSolidAngle: no point of it
+/// is further from the first corner than the longer of the two edges that start there.
+bool may_be_large(const V3d& p0, const TriangleGeometry& triangle) noexcept {
+    const double reach = std::sqrt(std::max(triangle.edge1.length2(), triangle.edge2.length2()));
+    const double closest = std::max(0.0, p0.length() - reach);
+    return triangle.area >= kLeastSolidAngle * closest * closest;
 }
 
 /// Where on the triangle a ray from the origin goes, kept within: p0 + u edge1 + v edge2.
@@ -135,12 +143,14 @@ V2d met_uv(const BilinearMesh& mesh, const BilinearPatch& patch, const MetEmitte
 EmitterSample sample_one(const TriangleEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
     const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
     const V3d p0 = triangle.p0 - V3d(from);
-    const SphericalTriangle seen(p0, p0 + triangle.edge1, p0 + triangle.edge2);
     Hit hit{.primitive = emitter.triangle};
-    if (seen.solid_angle >= kLeastSolidAngle) {
-        const V3d direction = sample(seen, {static_cast<double>(u[0]), static_cast<double>(u[1])});
-        std::tie(hit.u, hit.v) = where_met(p0, triangle.edge1, triangle.edge2, direction);
-        return towards(surface_point(*emitter.mesh, triangle, hit), direction, seen.solid_angle, emitter.two_sided);
+    if (may_be_large(p0, triangle)) {
+        const SphericalTriangle seen(p0, p0 + triangle.edge1, p0 + triangle.edge2);
+        if (seen.solid_angle >= kLeastSolidAngle) {
+            const V3d direction = sample(seen, {static_cast<double>(u[0]), static_cast<double>(u[1])});
+            std::tie(hit.u, hit.v) = where_met(p0, triangle.edge1, triangle.edge2, direction);
+            return towards(surface_point(*emitter.mesh, triangle, hit), direction, seen.solid_angle, emitter.two_sided);
+        }
     }
     // Uniform over the area. Source: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
     const bool lower = u[0] > u[1];
@@ -152,8 +162,10 @@ EmitterSample sample_one(const TriangleEmitter& emitter, const V3f& from, std::a
 float pdf_of(const TriangleEmitter& emitter, const MetEmitter& met) noexcept {
     const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
     const V3d p0 = triangle.p0 - V3d(met.from);
-    const double solid_angle = SphericalTriangle(p0, p0 + triangle.edge1, p0 + triangle.edge2).solid_angle;
-    if (solid_angle >= kLeastSolidAngle) return static_cast<float>(1.0 / solid_angle);
+    if (may_be_large(p0, triangle)) {
+        const double solid_angle = SphericalTriangle(p0, p0 + triangle.edge1, p0 + triangle.edge2).solid_angle;
+        if (solid_angle >= kLeastSolidAngle) return static_cast<float>(1.0 / solid_angle);
+    }
     return solid_angle_pdf(met, 1.0 / triangle.area);
 }
 

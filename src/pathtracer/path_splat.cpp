@@ -11,7 +11,7 @@ void add_at(FilmTile& tile, float x_px, float y_px, const Path<SpectralTransport
 }
 
 #define EMULSION_INSTANTIATE(N) \
-    template void add_at<N>(FilmTile&, float, float, const Path<SpectralTransport<N>>&) noexcept;
+    template void add_at<N>(FilmTile&, float, float, const Path<SpectralTransport<(N)>>&) noexcept;
 EMULSION_FOR_EACH_WAVELENGTH_COUNT(EMULSION_INSTANTIATE)
 
 }  // namespace emulsion

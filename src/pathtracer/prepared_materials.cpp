@@ -136,40 +136,40 @@ SampledSpectrum<N> index_or_one(SampledSpectrum<N> eta) noexcept {
 template <class Transport>
 class BsdfMaker {
   public:
-    static constexpr int N = Transport::kChannels;
+    static constexpr int kN = Transport::kChannels;
     static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
 
     BsdfMaker(const SpectrumTables& spectra, const PreparedTextures& textures, const TexturePoint& point,
               const typename Transport::Index& index, Channels channels, std::uint64_t seed) noexcept
         : spectra_(spectra), textures_(textures), point_(point), index_(index), channels_(channels), seed_(seed) {}
 
-    Bsdf<N> operator()(const PreparedConductor& m) const noexcept {
+    Bsdf<kN> operator()(const PreparedConductor& m) const noexcept {
         const Facets facets = facets_at(m.roughness);
-        if (!m.reflectance) return ConductorBsdf<N>{at(m.eta), at(m.k), facets.ggx, facets.smooth};
+        if (!m.reflectance) return ConductorBsdf<kN>{at(m.eta), at(m.k), facets.ggx, facets.smooth};
         // The k that has this reflectance at normal incidence with an eta of 1.
-        SampledSpectrum<N> k = at(*m.reflectance);
+        SampledSpectrum<kN> k = at(*m.reflectance);
         for (float& value : k.value) {
             const float r = std::clamp(value, 0.0f, 0.9999f);
             value = 2.0f * std::sqrt(r / (1.0f - r));
         }
-        return ConductorBsdf<N>{SampledSpectrum<N>(1.0f), k, facets.ggx, facets.smooth};
+        return ConductorBsdf<kN>{SampledSpectrum<kN>(1.0f), k, facets.ggx, facets.smooth};
     }
-    Bsdf<N> operator()(const PreparedDielectric& m) const noexcept {
+    Bsdf<kN> operator()(const PreparedDielectric& m) const noexcept {
         Facets facets = facets_at(m.roughness);
-        const SampledSpectrum<N> eta = shared_by_colours(index_or_one(at(m.eta)));
+        const SampledSpectrum<kN> eta = shared_by_colours(index_or_one(at(m.eta)));
         if (eta[0] == 1.0f) facets.smooth = true;
-        const bool disperses = kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && N > 1;
-        return DielectricBsdf<N>{eta, facets.ggx, facets.smooth, disperses};
+        const bool disperses = kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && kN > 1;
+        return DielectricBsdf<kN>{eta, facets.ggx, facets.smooth, disperses};
     }
-    Bsdf<N> operator()(const PreparedThinDielectric& m) const noexcept {
-        return ThinDielectricBsdf<N>{index_or_one(at(m.eta))};
+    Bsdf<kN> operator()(const PreparedThinDielectric& m) const noexcept {
+        return ThinDielectricBsdf<kN>{index_or_one(at(m.eta))};
     }
-    Bsdf<N> operator()(const PreparedDiffuseTransmission& m) const noexcept {
-        return DiffuseTransmissionBsdf<N>{scaled(m.reflectance, m.scale), scaled(m.transmittance, m.scale)};
+    Bsdf<kN> operator()(const PreparedDiffuseTransmission& m) const noexcept {
+        return DiffuseTransmissionBsdf<kN>{scaled(m.reflectance, m.scale), scaled(m.transmittance, m.scale)};
     }
-    Bsdf<N> operator()(const PreparedCoatedDiffuse& m) const noexcept {
+    Bsdf<kN> operator()(const PreparedCoatedDiffuse& m) const noexcept {
         const Facets facets = facets_at(m.roughness);
-        CoatedDiffuseBsdf<N> bsdf;
+        CoatedDiffuseBsdf<kN> bsdf;
         bsdf.reflectance = at(m.reflectance);
         bsdf.eta = shared_by_colours(index_or_one(at(m.eta)))[0];
         bsdf.thickness = m.thickness;
@@ -181,28 +181,30 @@ class BsdfMaker {
         return bsdf;
     }
     // The integrator scatters these itself.
-    Bsdf<N> operator()(const PreparedDiffuse&) const noexcept { return DiffuseTransmissionBsdf<N>{}; }
-    Bsdf<N> operator()(const PreparedMix&) const noexcept { return DiffuseTransmissionBsdf<N>{}; }
+    Bsdf<kN> operator()(const PreparedDiffuse&) const noexcept { return DiffuseTransmissionBsdf<kN>{}; }
+    Bsdf<kN> operator()(const PreparedMix&) const noexcept { return DiffuseTransmissionBsdf<kN>{}; }
 
   private:
-    SampledSpectrum<N> at(std::uint32_t table) const noexcept { return spectra_[table].at(index_); }
-    SampledSpectrum<N> at(const PreparedReflectance& reflectance) const noexcept {
+    [[nodiscard]] SampledSpectrum<kN> at(std::uint32_t table) const noexcept { return spectra_[table].at(index_); }
+    [[nodiscard]] SampledSpectrum<kN> at(const PreparedReflectance& reflectance) const noexcept {
         if (reflectance.texture < 0) return at(reflectance.table);
         return textures_.reflectance({reflectance.texture}, point_, index_);
     }
-    float at(const PreparedNumber& number) const noexcept {
+    [[nodiscard]] float at(const PreparedNumber& number) const noexcept {
         return number.texture < 0 ? number.constant : textures_.number({number.texture}, point_);
     }
-    Facets facets_at(const PreparedRoughness& r) const noexcept { return facets_of(at(r.u), at(r.v), r.remap); }
-    SampledSpectrum<N> scaled(const PreparedReflectance& reflectance, float scale) const noexcept {
-        SampledSpectrum<N> values = at(reflectance) * scale;
+    [[nodiscard]] Facets facets_at(const PreparedRoughness& r) const noexcept {
+        return facets_of(at(r.u), at(r.v), r.remap);
+    }
+    [[nodiscard]] SampledSpectrum<kN> scaled(const PreparedReflectance& reflectance, float scale) const noexcept {
+        SampledSpectrum<kN> values = at(reflectance) * scale;
         for (float& value : values.value) value = std::clamp(value, 0.0f, 1.0f);
         return values;
     }
     /// Colours share one direction, that of green.
-    static SampledSpectrum<N> shared_by_colours(const SampledSpectrum<N>& eta) noexcept {
+    static SampledSpectrum<kN> shared_by_colours(const SampledSpectrum<kN>& eta) noexcept {
         if constexpr (kSpectral) return eta;
-        return SampledSpectrum<N>(eta[1 % N]);
+        return SampledSpectrum<kN>(eta[1 % kN]);
     }
 
     const SpectrumTables& spectra_;

@@ -49,7 +49,7 @@ TEST_F(FailingProgram, BadSceneNamesFileLineAndColumn) {
 }
 
 TEST_F(FailingProgram, WhatIsNotYetSupportedIsSaid) {
-    write_text(scene_, "WorldBegin\nMaterial \"dielectric\"\n");
+    write_text(scene_, "WorldBegin\nMaterial \"hair\"\n");
     expect_one_line_error(run_program({"render", scene_, "-o", exr_}), 1, "not yet supported");
     expect_only_the_scene();
 }

@@ -25,7 +25,7 @@ using testing::world_error_of;
 const std::string kLight = "LightSource \"infinite\"\n";
 
 Imath::V3d centre_of(const Scene& scene, std::size_t shape) {
-    return std::get<Sphere>(scene.shapes.at(shape).geometry).world_from_object.translation() + scene.origin;
+    return std::get<Sphere>(scene.shapes.at(shape).geometry).world_from_object.translation();
 }
 double radius_of(const Scene& scene, std::size_t shape) {
     return std::get<Sphere>(scene.shapes.at(shape).geometry).radius;
