@@ -102,7 +102,7 @@ class TileRenderer {
         return start;
     }
 
-    std::array<float, 2> jittered(const std::array<float, 2>& uv) const noexcept {
+    [[nodiscard]] std::array<float, 2> jittered(const std::array<float, 2>& uv) const noexcept {
         return scene_.scene().jitter.pixel ? uv : std::array{0.5f, 0.5f};
     }
 
