@@ -180,7 +180,8 @@ void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
         warn(list.place, "a shape of an object gives no light, as in pbrt-v4: its AreaLightSource is left out");
     }
     ShapeFrame frame = state_.frame;
-    if (!open_object_) frame.world_from_object = from_camera_position(frame.world_from_object);
+    frame.world_from_object = open_object_ ? frame.world_from_object * translation(-object_origins_.at(*open_object_))
+                                           : from_camera_position(frame.world_from_object);
     for (Geometry& geometry : read_shape(list, frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
 }
 

@@ -173,6 +173,8 @@ class SceneBuilder {
     int default_material_ = -1;
     std::map<std::string, std::size_t> objects_;  // indices into Scene::objects
     std::vector<SourcePlace> object_places_;
+    // Where objects begin, in the world of the file: their shapes are counted from there, for precision.
+    std::vector<Imath::V3d> object_origins_;
     std::optional<std::size_t> open_object_;
     std::vector<InstanceUse> instance_uses_;
     bool warned_of_transform_begin_ = false;

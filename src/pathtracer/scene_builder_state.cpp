@@ -1,5 +1,6 @@
 // The graphics state: what it is, and what saves it and brings it back.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -179,6 +180,7 @@ void SceneBuilder::object_begin(const SourcePlace& place, const std::string& nam
     begin_block(place, BlockKind::object, "Object");
     open_object_ = entry->second;
     scene_.objects.push_back({name, {}});
+    object_origins_.push_back(state_.frame.world_from_object.translation());
     object_places_.push_back(place);
 }
 
@@ -194,8 +196,26 @@ void SceneBuilder::object_instance(const SourcePlace& place, const SourcePlace& 
                          "it outside: objects are made of shapes only, as in pbrt-v4");
     }
     require_rest(place, "an instance");
-    instance_uses_.push_back({name, place_of_name, from_camera_position(state_.frame.world_from_object)});
+    instance_uses_.push_back({name, place_of_name, state_.frame.world_from_object});
 }
+
+namespace {
+
+/// \throws SceneError for an instance that single precision can't hold, or can't hold the inverse of.
+void check_instance_reach(const SourcePlace& place, const Imath::M44d& world_from_object) {
+    const std::optional<Imath::M44d> inverse = inverse_of(world_from_object);
+    double largest = inverse ? 0.0 : HUGE_VAL;
+    for (int i = 0; i < 4 && inverse; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            largest = std::max({largest, std::abs(world_from_object[i][j]), std::abs((*inverse)[i][j])});
+        }
+    }
+    if (largest <= kReach) return;
+    throw SceneError(place, fmt::format("an instance whose transformation, or its inverse, reaches {:g}", largest),
+                     std::string(kWithinReach));
+}
+
+}  // namespace
 
 void SceneBuilder::resolve_instances() {
     for (const InstanceUse& use : instance_uses_) {
@@ -206,7 +226,10 @@ void SceneBuilder::resolve_instances() {
             throw SceneError(use.place_of_name, "unknown object " + quote(use.object),
                              "one that ObjectBegin makes" + nearest_hint(use.object, known));
         }
-        scene_.instances.push_back({static_cast<int>(object->second), use.world_from_object});
+        const Imath::V3d& origin = object_origins_.at(static_cast<std::size_t>(object->second));
+        const Imath::M44d placed = from_camera_position(translation(origin) * use.world_from_object);
+        check_instance_reach(use.place_of_name, placed);
+        scene_.instances.push_back({static_cast<int>(object->second), placed});
     }
 }
 

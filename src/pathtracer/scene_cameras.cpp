@@ -1,6 +1,7 @@
 #include "pathtracer/scene_cameras.h"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <limits>
 #include <optional>
@@ -21,6 +22,26 @@ Imath::M44d read_world_from_camera(const ParameterList& list, const Imath::M44d&
     if (is_within_reach(position)) return *inverse;
     throw SceneError(list.place, fmt::format("a camera at ({:g}, {:g}, {:g})", position.x, position.y, position.z),
                      std::string(kWithinReach));
+}
+
+/// \throws SceneError if a point of camera space whose coordinates are this large may lie beyond reach in world space,
+/// or one of world space in camera space.
+void check_camera_reach(const ParameterList& list, const Imath::M44d& world_from_camera, double extent) {
+    const auto& m = world_from_camera.x;
+    double stretch = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) stretch = std::max(stretch, std::abs(m[i][j]));
+    }
+    if (stretch * std::max(extent, 1.0) <= kReach && stretch * kReach >= 1.0) return;
+    throw SceneError(list.place, fmt::format("a camera that reaches {:g} units, each {:g} long", extent, stretch),
+                     std::string(kWithinReach));
+}
+
+double largest_extent(const ScreenWindow& screen, const ThinLens& lens) noexcept {
+    double extent = std::max(lens.radius, 1.0);
+    for (const double bound : screen.bounds.value_or(std::array<double, 4>{}))
+        extent = std::max(extent, std::abs(bound));
+    return extent;
 }
 
 ScreenWindow read_screen_window(const ParameterList& list) {
@@ -55,14 +76,18 @@ Camera read_perspective(const ParameterList& list, const Imath::M44d& world_from
     }
     camera.screen = read_screen_window(list);
     camera.lens = read_lens(list);
+    check_camera_reach(list, world_from_camera, largest_extent(camera.screen, camera.lens));
     return camera;
 }
 
 Camera read_orthographic(const ParameterList& list, const Imath::M44d& world_from_camera) {
-    return OrthographicCamera{world_from_camera, read_screen_window(list), read_lens(list)};
+    const OrthographicCamera camera{world_from_camera, read_screen_window(list), read_lens(list)};
+    check_camera_reach(list, world_from_camera, largest_extent(camera.screen, camera.lens));
+    return camera;
 }
 
 Camera read_spherical(const ParameterList& list, const Imath::M44d& world_from_camera) {
+    check_camera_reach(list, world_from_camera, 1.0);
     const bool equal_area = string_or(list, "mapping", "equalarea") == "equalarea";
     return SphericalCamera{world_from_camera,
                            equal_area ? SphericalMapping::equal_area : SphericalMapping::equirectangular};

@@ -6,7 +6,8 @@
 namespace emulsion {
 
 std::string nearest_hint(std::string_view name, std::span<const std::string_view> known) {
-    constexpr std::size_t kFew = 24;
+    constexpr std::size_t kFew = 24, kMost = 1000;
+    if (known.size() > kMost) return "";  // many messages about many names would take for ever
     const std::string_view nearest = nearest_name(name, known);
     if (!nearest.empty()) return fmt::format(" (nearest known name: {})", quote(nearest));
     if (known.size() > kFew) return "";

@@ -32,7 +32,9 @@ std::vector<ShapeRange> settle_objects(Scene& scene) {
     std::vector<Imath::M44d> place(scene.objects.size());
     for (const ObjectInstance& instance : scene.instances) {
         const auto number = static_cast<std::size_t>(instance.object);
-        ++uses.at(number);
+        // Embree takes a hierarchy of nothing for one that is out of its range.
+        if (scene.objects.at(number).shapes.empty()) continue;
+        ++uses[number];
         place[number] = instance.world_from_object;
     }
 
@@ -52,7 +54,7 @@ std::vector<ShapeRange> settle_objects(Scene& scene) {
         if (uses[number] > 1) ranges.push_back({first, scene.shapes.size()});
     }
     std::erase_if(scene.instances,
-                  [&](const ObjectInstance& i) { return uses[static_cast<std::size_t>(i.object)] == 1; });
+                  [&](const ObjectInstance& i) { return uses[static_cast<std::size_t>(i.object)] <= 1; });
     for (ObjectInstance& instance : scene.instances) {
         instance.object = new_number[static_cast<std::size_t>(instance.object)];
     }

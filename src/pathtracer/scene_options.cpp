@@ -124,8 +124,8 @@ constexpr auto kFilterReaders = std::to_array<FilterReader>({{BoxFilter::kName, 
                                                              {LanczosSincFilter::kName, read_sinc}});
 
 Sampler read_independent(const ParameterList& list) {
-    return IndependentSampler{
-        integer_up_to(kMostSamples, list, "pixelsamples", IndependentSampler{}.samples_per_pixel)};
+    constexpr int kDefaultOfPbrt = 4;  // unlike the other samplers'
+    return IndependentSampler{integer_up_to(kMostSamples, list, "pixelsamples", kDefaultOfPbrt)};
 }
 Sampler read_padded_sobol(const ParameterList& list) {
     return PaddedSobolSampler{

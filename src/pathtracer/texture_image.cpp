@@ -79,13 +79,23 @@ void check_finite(const std::filesystem::path& path, const Image<RGB>& image) {
 }
 
 /// `scale` times the RGB of XYZ.
+/// The way over XYZ leaves greys that are none and zeros that are negative: what lies within its rounding is set right.
+RGB without_rounding(RGB c) noexcept {
+    const float largest = std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}), rounding = 2e-6f * largest;
+    if (std::abs(c.r - c.g) <= rounding && std::abs(c.g - c.b) <= rounding) return {c.g, c.g, c.g};
+    for (float* component : {&c.r, &c.g, &c.b}) {
+        if (std::abs(*component) <= rounding) *component = 0.0f;
+    }
+    return c;
+}
+
 Image<RGB> rgb_of(const Image<XYZ>& xyz, const RgbSpace& space, const std::array<double, 3>& scale) {
     const Matrix3 rgb_of_xyz = rgb_from_xyz(space);
     Image<RGB> image(xyz.width(), xyz.height(), UnsetPixels{});
     std::transform(xyz.pixels().begin(), xyz.pixels().end(), image.pixels().begin(), [&](const XYZ& p) {
         const auto rgb = rgb_of_xyz * std::array<double, 3>{p.x, p.y, p.z};
-        return RGB{static_cast<float>(scale[0] * rgb[0]), static_cast<float>(scale[1] * rgb[1]),
-                   static_cast<float>(scale[2] * rgb[2])};
+        return without_rounding({static_cast<float>(scale[0] * rgb[0]), static_cast<float>(scale[1] * rgb[1]),
+                                 static_cast<float>(scale[2] * rgb[2])});
     });
     return image;
 }

@@ -127,6 +127,7 @@ TEST(SceneOptions, ExposureTimeIsTheCameras) {
 }
 
 TEST(SceneOptions, Samplers) {
+    EXPECT_EQ(std::get<IndependentSampler>(parse_options("Sampler \"independent\"").sampler).samples_per_pixel, 4);
     const Scene independent = parse_options(R"(Sampler "independent" "integer pixelsamples" 7 "integer seed" 3)");
     EXPECT_EQ(std::get<IndependentSampler>(independent.sampler).samples_per_pixel, 7);
     EXPECT_EQ(independent.sampler_seed, 3);
@@ -313,6 +314,15 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:34: found 65537 for parameter \"xresolution\", expected at most 65536"},
         {R"(Film "rgb" "integer yresolution" 65537)",
          "1:34: found 65537 for parameter \"yresolution\", expected at most 65536"},
+        {R"(Camera "perspective" "float lensradius" 1e19)",
+         "1:8: found a camera that reaches 1e+19 units, each 1 long, expected coordinates from -1e15 to 1e15 in world "
+         "space"},
+        {R"(Camera "orthographic" "float screenwindow" [-1e19 1e19 -1 1])",
+         "1:8: found a camera that reaches 1e+19 units, each 1 long, expected coordinates from -1e15 to 1e15 in world "
+         "space"},
+        {R"(Scale 1e-20 1e-20 1e-20 Camera "orthographic")",
+         "1:32: found a camera that reaches 1 units, each 1e+20 long, expected coordinates from -1e15 to 1e15 in world "
+         "space"},
         {R"(Sampler "independent" "integer pixelsamples" 16777217)",
          "1:46: found 16777217 for parameter \"pixelsamples\", expected at most 16777216"},
         {R"(Sampler "paddedsobol" "integer pixelsamples" 16777217)",
