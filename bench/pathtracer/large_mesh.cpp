@@ -1,7 +1,7 @@
 // Large meshes: which share of the time Embree takes.
 
-#include "support/mesh_scene.h"
-#include "support/scene_bench.h"
+#include "mesh_scene.h"
+#include "scene_bench.h"
 
 namespace emulsion::bench {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <malloc.h>
 
+#include "mesh_scene.h"
 #include "pathtracer/embree.h"
-#include "support/mesh_scene.h"
-#include "support/scene_bench.h"
+#include "scene_bench.h"
 
 namespace emulsion::bench {
 namespace {
@@ -81,13 +81,17 @@ void memory_of_render(benchmark::State& state) {
             const auto& mesh = std::get<TriangleMesh>(scene.prepared().scene().shapes[0].geometry);
             const auto vertices = static_cast<double>(mesh.position.size() * sizeof(mesh.position[0]) +
                                                       mesh.triangle.size() * sizeof(mesh.triangle[0]));
-            for (auto [q, name] : {std::pair{RTC_BUILD_QUALITY_MEDIUM, "medium"}, std::pair{RTC_BUILD_QUALITY_HIGH, "high"}}) {
+            for (auto [q, name] :
+                 {std::pair{RTC_BUILD_QUALITY_MEDIUM, "medium"}, std::pair{RTC_BUILD_QUALITY_HIGH, "high"}}) {
                 EmbreeMemory memory;
                 double after = 0.0;
                 build_bare(mesh, q, memory, after);
                 state.counters[std::string(name) + "_bvh"] = megabytes(after);
                 state.counters[std::string(name) + "_bvh_peak"] = megabytes(static_cast<double>(memory.peak_bytes));
-                if (needed == 0.0) { needed = vertices + after; needed_peak = vertices + static_cast<double>(memory.peak_bytes); }
+                if (needed == 0.0) {
+                    needed = vertices + after;
+                    needed_peak = vertices + static_cast<double>(memory.peak_bytes);
+                }
             }
             state.counters["vertices_MB"] = megabytes(vertices);
         }
