@@ -1,8 +1,8 @@
 #include "pathtracer/scene_cameras.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
