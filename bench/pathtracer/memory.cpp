@@ -69,38 +69,6 @@ void memory_of_render(benchmark::State& state) {
     for (auto _ : state) {
         forget_peak();
         const double before = resident_bytes("VmRSS");
-<<<<<<< HEAD
-        double prepared = 0.0, peak = 0.0, needed = 0.0, needed_peak = 0.0;
-        {
-            SceneBench scene(landscape_scene(state.range(0)));
-            const double build_peak = resident_bytes("VmHWM") - before;
-            prepared = resident_bytes("VmRSS") - before;
-            forget_peak();
-            scene.render_once({.samples_per_pixel = 1, .seed = 1});
-            peak = resident_bytes("VmHWM") - before;
-            state.counters["build_peak_MB"] = megabytes(build_peak);
-            const auto& mesh = std::get<TriangleMesh>(scene.prepared().scene().shapes[0].geometry);
-            const auto vertices = static_cast<double>(mesh.position.size() * sizeof(mesh.position[0]) +
-                                                      mesh.triangle.size() * sizeof(mesh.triangle[0]));
-            for (auto [q, name] :
-                 {std::pair{RTC_BUILD_QUALITY_MEDIUM, "medium"}, std::pair{RTC_BUILD_QUALITY_HIGH, "high"}}) {
-                EmbreeMemory memory;
-                double after = 0.0;
-                build_bare(mesh, q, memory, after);
-                state.counters[std::string(name) + "_bvh"] = megabytes(after);
-                state.counters[std::string(name) + "_bvh_peak"] = megabytes(static_cast<double>(memory.peak_bytes));
-                if (needed == 0.0) {
-                    needed = vertices + after;
-                    needed_peak = vertices + static_cast<double>(memory.peak_bytes);
-                }
-            }
-            state.counters["vertices_MB"] = megabytes(vertices);
-        }
-        state.counters["prepared_MB"] = megabytes(prepared);
-        state.counters["render_peak_MB"] = megabytes(peak);
-        state.counters["ratio"] = peak / needed;
-        state.counters["needed_peak_MB"] = megabytes(needed_peak);
-=======
         SceneBench scene(landscape_scene(state.range(0)));
         benchmark::DoNotOptimize(scene.render_once({.samples_per_pixel = 1, .seed = 1}));
         const double peak = resident_bytes("VmHWM") - before;
@@ -115,7 +83,6 @@ void memory_of_render(benchmark::State& state) {
         state.counters["hierarchy_resident_MB"] = bare.resident * 1e-6;
         state.counters["ratio_to_reported"] = peak / (vertices + bare.reported);
         state.counters["ratio_to_resident"] = peak / (vertices + bare.resident);
->>>>>>> geo
     }
 }
 
