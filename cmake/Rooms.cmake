@@ -42,13 +42,15 @@ function(emulsion_test_room name)
     PROPERTIES TIMEOUT 600 LABELS long ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
 endfunction()
 
-# One benchmark program per file: bench_film_add of bench/film/add.cpp.
+# One benchmark program per file: bench_film_add of bench/film/add.cpp. Built when asked for, by its name or all together
+# as "benchmarks": the tests need none of them.
 function(emulsion_bench_room name)
   cmake_parse_arguments(room "" "" "LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/${name}/*.cpp)
   foreach(source IN LISTS sources)
     get_filename_component(stem ${source} NAME_WE)
-    add_executable(bench_${name}_${stem} ${source})
+    add_executable(bench_${name}_${stem} EXCLUDE_FROM_ALL ${source})
+    add_dependencies(benchmarks bench_${name}_${stem})
     target_link_libraries(bench_${name}_${stem} PRIVATE emulsion_settings ${room_LINKS} benchmark::benchmark)
     target_include_directories(bench_${name}_${stem} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
     target_compile_definitions(bench_${name}_${stem} PRIVATE EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
