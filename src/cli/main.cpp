@@ -10,6 +10,7 @@
 #include <fcntl.h>
 
 #include "cli/color_command.h"
+#include "cli/compare_command.h"
 #include "cli/develop_command.h"
 #include "cli/help_formatter.h"
 #include "cli/info_command.h"
@@ -20,10 +21,11 @@
 
 namespace {
 
-using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::InfoCommand;
+using emulsion::cli::ColorCommand, emulsion::cli::CompareCommand, emulsion::cli::DevelopCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
+using emulsion::cli::InfoCommand, emulsion::cli::MergeCommand, emulsion::cli::RenderCommand;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
-using emulsion::cli::MergeCommand, emulsion::cli::RenderCommand, emulsion::cli::usage_error_text;
+using emulsion::cli::usage_error_text;
 
 /// The command as it could be typed again: words with anything special in them in single quotes.
 std::string command_line_text(int argc, char** argv) {
@@ -68,6 +70,7 @@ int run(int argc, char** argv) {
     const DevelopCommand develop(program);
     const MergeCommand merge(program);
     const InfoCommand info(program);
+    const CompareCommand compare(program);
     const ColorCommand color(program);
     try {
         program.parse(argc, argv);
@@ -78,6 +81,7 @@ int run(int argc, char** argv) {
         return kBadUsage;
     }
     if (color.chosen()) return color.run();
+    if (compare.chosen()) return compare.run();
     if (info.chosen()) return info.run();
     if (merge.chosen()) return merge.run(command_line_text(argc, argv));
     return render.chosen() ? render.run(command_line_text(argc, argv)) : develop.run();

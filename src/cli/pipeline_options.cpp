@@ -19,8 +19,19 @@ namespace emulsion::cli {
 
 namespace {
 
-/// It sets the pipeline before the flags of single stages do, wherever they stand, if it is added before them.
-void add_text_option(CLI::App& command, Pipeline& pipeline) {
+/// Bad usage is what `check` throws.
+template <class Check>
+void check_stages(const Check& check) {
+    try {
+        check();
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("pipeline", error.what());
+    }
+}
+
+}  // namespace
+
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline, std::string_view what) {
     const auto parse = [&pipeline](const std::string& argument) {
         const bool is_text = argument.find('=') != std::string::npos;
         try {
@@ -35,26 +46,17 @@ void add_text_option(CLI::App& command, Pipeline& pipeline) {
     command
         .add_option_function<std::string>(
             "--pipeline", parse,
-            "All stages of the PNG at once, as `develop --show-pipeline` prints them and a PNG's text has them: "
-            "\"tonemap=drago display=hdr10 bits=10\", or the name of a file that holds such a text; what has an = is a "
-            "text. Stages that are left out have their default, and flags of single stages go before")
+            std::string(what) +
+                ", as `develop --show-pipeline` prints them and a PNG's text has them: "
+                "\"tonemap=drago display=hdr10 bits=10\", or the name of a file that holds such a text; what has an = "
+                "is a "
+                "text. Stages that are left out have their default")
         ->option_text("TEXT|FILE");
 }
 
-/// Bad usage is what `check` throws.
-template <class Check>
-void check_stages(const Check& check) {
-    try {
-        check();
-    } catch (const std::invalid_argument& error) {
-        throw CLI::ValidationError("pipeline", error.what());
-    }
-}
-
-}  // namespace
-
 void add_pipeline_options(CLI::App& command, Pipeline& pipeline) {
-    add_text_option(command, pipeline);
+    add_pipeline_text_option(command, pipeline,
+                             "All stages of the PNG at once, before which flags of single stages go");
     add_named_option(command, "--bloom", "bloom", pipeline.bloom, "Spreading of bright light before tone mapping");
     add_named_option(command, "--vision", "vision", pipeline.vision,
                      "Seeing as an eye on the spot, before tone mapping");

@@ -2,6 +2,7 @@
 // The flags for the chain from XYZ to code values, shared by `render`, `merge` and `develop`.
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/color.h"
@@ -17,6 +18,10 @@ class App;
 }
 
 namespace emulsion::cli {
+
+/// Adds --pipeline alone; `what` begins its help. It sets the pipeline before the flags of single stages do, wherever
+/// they stand, if it is added before them.
+void add_pipeline_text_option(CLI::App& command, Pipeline& pipeline, std::string_view what);
 
 /// Adds --pipeline, for all stages at once: the text form, or a file that holds it; and --bloom, --vision, --tonemap
 /// and

@@ -14,6 +14,11 @@ namespace emulsion {
 
 namespace {
 
+XYZ white_of_tone_mapping(const Pipeline& pipeline) {
+    const XYZd white = shown_as_white(pipeline.scene_white, pipeline.display);
+    return {static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
+}
+
 DevelopResult encode_and_quantize(int width, int height, MakeDisplayXyz make, const Pipeline& pipeline, int threads) {
     DevelopResult result{Image<CodeRGB>(width, height, UnsetPixels{}), {}};
     PictureEncoder encode(height, std::move(make), pipeline);
@@ -35,9 +40,13 @@ std::optional<Image<XYZ>> before_tone_mapping(const Image<XYZ>& scene, const Pip
 }
 
 PreparedToneMapping prepare_tone_mapping(const Pipeline& pipeline, ImageView<const XYZ> picture, int threads) {
-    const XYZd white = shown_as_white(pipeline.scene_white, pipeline.display);
-    const XYZ narrow = {static_cast<float>(white.x), static_cast<float>(white.y), static_cast<float>(white.z)};
-    return {{pipeline.tone_mapper, pipeline.adaptation}, picture, narrow, threads};
+    return {{pipeline.tone_mapper, pipeline.adaptation}, picture, white_of_tone_mapping(pipeline), threads};
+}
+
+PreparedToneMapping prepare_tone_mapping_as_other(const Pipeline& pipeline, ImageView<const XYZ> picture,
+                                                  ImageView<const XYZ> other, int threads) {
+    return PreparedToneMapping::as_other({pipeline.tone_mapper, pipeline.adaptation}, picture, other,
+                                         white_of_tone_mapping(pipeline), threads);
 }
 
 DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads) {

@@ -41,6 +41,11 @@ struct DevelopResult {
 [[nodiscard]] PreparedToneMapping prepare_tone_mapping(const Pipeline& pipeline, ImageView<const XYZ> picture,
                                                        int threads);
 
+/// The same by the tone curve of `other`, for comparing the two: PreparedToneMapping::as_other().
+/// \throws std::invalid_argument as develop(), and if the sizes differ.
+[[nodiscard]] PreparedToneMapping prepare_tone_mapping_as_other(const Pipeline& pipeline, ImageView<const XYZ> picture,
+                                                                ImageView<const XYZ> other, int threads);
+
 /// The stages after tone mapping, for pictures that are tone-mapped already: display-relative XYZ, Y = 1 at display
 /// white. The report's luminance is left empty. \throws std::invalid_argument as develop().
 [[nodiscard]] DevelopResult develop_tone_mapped(const Image<XYZ>& display_xyz, const Pipeline& pipeline, int threads);

@@ -34,9 +34,17 @@ std::string printable(std::string_view bytes) {
     return text;
 }
 
-}  // namespace
+FilmImage full_frame(ScenePicture picture) {
+    FilmImage image;
+    image.width_px = picture.xyz.width();
+    image.height_px = picture.xyz.height();
+    image.data_window = {0, 0, image.width_px, image.height_px};
+    image.xyz = std::move(picture.xyz);
+    image.notes = std::move(picture.notes);
+    return image;
+}
 
-ScenePicture read_picture(const std::filesystem::path& path, int threads) {
+FilmImage read_any(const std::filesystem::path& path, const ExrReadOptions& options) {
     constexpr const char* kExpected = "expected an OpenEXR, Radiance (#?), PFM (PF or Pf) or PNG file";
     std::error_code error;
     const auto type = std::filesystem::status(path, error).type();
@@ -46,19 +54,29 @@ ScenePicture read_picture(const std::filesystem::path& path, int threads) {
     }
     if (std::filesystem::file_size(path, error) == 0) throw IoError(path, std::string("is empty, ") + kExpected);
     const std::string begin = beginning_of(path);
-    if (begin.starts_with("#?")) return read_radiance(path);
-    if (begin.starts_with("PF") || begin.starts_with("Pf")) return read_pfm(path);
+    if (begin.starts_with("#?")) return full_frame(read_radiance(path));
+    if (begin.starts_with("PF") || begin.starts_with("Pf")) return full_frame(read_pfm(path));
     if (begin.starts_with("\x89PNG")) {
         PngPicture png = read_png(path);
         png.notes.emplace_back("its white is taken as 1 cd/m^2");
-        return {std::move(png.xyz), std::move(png.notes)};
+        return full_frame({std::move(png.xyz), std::move(png.notes)});
     }
     const bool is_exr = begin == "\x76\x2f\x31\x01";
     if (!begin.empty() && !is_exr) {
         throw IoError(path, "begins with \"" + printable(begin) + "\": " + kExpected);
     }
-    FilmImage film = read_exr(path, {.layers = ExrLayers::skip, .threads = threads});
+    return read_exr(path, options);
+}
+
+}  // namespace
+
+ScenePicture read_picture(const std::filesystem::path& path, int threads) {
+    FilmImage film = read_any(path, {.layers = ExrLayers::skip, .threads = threads});
     return {std::move(film.xyz), std::move(film.notes)};
+}
+
+FilmImage read_picture_and_layers(const std::filesystem::path& path, int threads) {
+    return read_any(path, {.layers = ExrLayers::read, .threads = threads});
 }
 
 }  // namespace emulsion

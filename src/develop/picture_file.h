@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "film/exr_file.h"
 #include "film/scene_picture.h"
 
 namespace emulsion {
@@ -12,5 +13,9 @@ namespace emulsion {
 /// cd/m^2, which its notes say. \param threads 0: one for each processor \throws IoError if the file is missing, of no
 /// such format, damaged or incomplete. \throws std::invalid_argument if threads < 0.
 [[nodiscard]] ScenePicture read_picture(const std::filesystem::path& path, int threads);
+
+/// The same with what else an OpenEXR file holds: layers, window and header. Pictures of other formats have none, and
+/// are the full frame. \throws as read_picture.
+[[nodiscard]] FilmImage read_picture_and_layers(const std::filesystem::path& path, int threads);
 
 }  // namespace emulsion

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tonemap/middle_grey.h"
+#include "core/middle_grey.h"
 
 namespace emulsion {
 

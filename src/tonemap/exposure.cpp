@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tonemap/middle_grey.h"
+#include "core/middle_grey.h"
 
 namespace emulsion {
 

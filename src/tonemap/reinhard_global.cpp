@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tonemap/middle_grey.h"
+#include "core/middle_grey.h"
 
 namespace emulsion {
 

@@ -54,17 +54,46 @@ PreparedToneMapping::PreparedToneMapping(const ToneMapping& mapping, ImageView<c
     const SceneLuminance luminance(scene, threads);
     statistics_ = luminance.statistics();
     if (statistics_.counts.positive == 0) {
-        map_ = [display_white](int, int, auto in, auto out) {
-            const auto scale = [](auto pixels, auto scaled, LeftPixels& left) {
-                scale_row(0.0f, pixels, scaled, RowPixels::any, left);
-            };
-            scale_pixels(in, out, display_white, scale, [](std::size_t) { return kBlack; });
-        };
+        map_to_black(display_white);
         return;
     }
     AdaptationLuminance adaptation = adapt(chosen_adaptation(mapping), scene, luminance, threads);
     const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
     map_ = reproduce(reproduction, statistics_, std::move(adaptation), display_white, threads);
+}
+
+PreparedToneMapping PreparedToneMapping::as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                  ImageView<const XYZ> other, const XYZ& display_white, int threads) {
+    check(mapping, scene);
+    if (other.width() != scene.width() || other.height() != scene.height()) {
+        throw std::invalid_argument("other size " + size_text(other.width(), other.height()) + ": must be " +
+                                    size_text(scene.width(), scene.height()) + ", as the scene's");
+    }
+    const SceneLuminance other_luminance(other, threads);
+    if (other_luminance.statistics().counts.positive == 0) return {mapping, scene, display_white, threads};
+
+    PreparedToneMapping prepared(scene);
+    const SceneLuminance luminance(scene, threads);
+    prepared.statistics_ = luminance.statistics();
+    if (prepared.statistics_.counts.positive == 0) {
+        prepared.map_to_black(display_white);
+        return prepared;
+    }
+    const Adaptation adaptation = chosen_adaptation(mapping);
+    AdaptationLuminance adapted = adapt(adaptation, other, other_luminance, threads);
+    const ToneReproduction reproduction = prepare(mapping.mapper, other_luminance, adapted.uniform_cdm2);
+    if (is_local(adaptation)) adapted = adapt(adaptation, scene, luminance, threads);
+    prepared.map_ = reproduce(reproduction, prepared.statistics_, std::move(adapted), display_white, threads);
+    return prepared;
+}
+
+void PreparedToneMapping::map_to_black(const XYZ& display_white) {
+    map_ = [display_white](int, int, auto in, auto out) {
+        const auto scale = [](auto pixels, auto scaled, LeftPixels& left) {
+            scale_row(0.0f, pixels, scaled, RowPixels::any, left);
+        };
+        scale_pixels(in, out, display_white, scale, [](std::size_t) { return kBlack; });
+    };
 }
 
 LuminanceStatistics tone_map_into(const ToneMapping& mapping, ImageView<const XYZ> scene, ImageView<XYZ> display,

@@ -79,6 +79,14 @@ class PreparedToneMapping {
     /// \throws std::invalid_argument as tone_map()
     PreparedToneMapping(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZ& display_white, int threads);
 
+    /// Maps `scene` as `other`, of the same size, is mapped: by the same tone curve, adapted to the same luminance. So
+    /// that two pictures may be compared, and one that is brighter comes out brighter. Local adaptations are those of
+    /// the scene's own pixels; so is everything if `other` has no positive pixel.
+    /// \throws std::invalid_argument also if the sizes differ.
+    [[nodiscard]] static PreparedToneMapping as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                      ImageView<const XYZ> other, const XYZ& display_white,
+                                                      int threads);
+
     [[nodiscard]] const LuminanceStatistics& statistics() const noexcept { return statistics_; }
 
     /// Writes pixels of row y from column x0 on, as many as `display` takes. May be called on several threads at once.
@@ -87,6 +95,9 @@ class PreparedToneMapping {
     }
 
   private:
+    explicit PreparedToneMapping(ImageView<const XYZ> scene) : scene_(scene) {}
+    void map_to_black(const XYZ& display_white);
+
     ImageView<const XYZ> scene_;
     LuminanceStatistics statistics_;
     MapStretch map_;

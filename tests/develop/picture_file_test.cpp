@@ -83,6 +83,31 @@ TEST(PictureFile, IsReadByItsContentsUnderAnyName) {
     }
 }
 
+TEST(PictureFile, LayersWindowAndHeaderAreReadIfWanted) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.exr");
+    FilmPicture picture;
+    picture.xyz = Image<XYZ>(3, 2);
+    picture.floats.push_back({"depth.Z", Image<float>(3, 2)});
+    picture.data_window = {1, 1, 4, 3};
+    picture.width_px = 8;
+    picture.height_px = 6;
+    (void)write_exr(path, picture, {.seed = 4, .renderer_version = "test"});
+    const FilmImage read = read_picture_and_layers(path, 1);
+    EXPECT_EQ(static_cast<const FilmPicture&>(read), picture);
+    EXPECT_EQ(read.metadata.seed, 4U);
+
+    for (const SmallFile& file : small_files()) {
+        if (file.name.ends_with(".exr")) continue;
+        write_text(path, file.bytes);
+        const FilmImage other = read_picture_and_layers(path, 1);
+        EXPECT_EQ(other.data_window, (PixelBounds{0, 0, 9, 3})) << file.name;
+        EXPECT_EQ(other.width_px, 9);
+        EXPECT_EQ(other.height_px, 3);
+        EXPECT_EQ(other.xyz, read_picture(path, 1).xyz);
+    }
+}
+
 TEST(PictureFile, TruncatedAnywhereIsAnError) {
     const TemporaryFolder folder;
     for (const SmallFile& file : small_files()) {
