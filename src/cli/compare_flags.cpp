@@ -76,9 +76,10 @@ void add_result_options(CLI::App& command, CompareSettings& settings) {
         ->check(ends_in_png)
         ->option_text("FILE.png");
     command
-        .add_option("--map-end", settings.map_end,
-                    "CIEDE2000 at the end of its scale [default: 1, 2, 5, 10, ..., the first that 99 % of the pixels "
-                    "do not exceed]")
+        .add_option(
+            "--map-end", settings.map_end,
+            "CIEDE2000 at the end of its scale [default: 1, 2, 3, 5, 10, ..., the first that 99 % of the pixels "
+            "do not exceed]")
         ->check(positive_number_check(1e6))
         ->option_text("NUMBER");
     command

@@ -15,6 +15,8 @@ namespace emulsion::cli {
 
 namespace {
 
+std::string pixels_text(std::int64_t count) { return fmt::format("{} pixel{}", count, count == 1 ? "" : "s"); }
+
 std::string_view source_name(WhiteLuminanceSource source) noexcept {
     switch (source) {
         case WhiteLuminanceSource::given:
@@ -174,7 +176,7 @@ InfoReport report_of(const CompareReport& in) {
     report_rules("B", found.b, report);
     if (found.left_out > 0) {
         const auto [x, y] = found.first_left_out_px.value_or(std::pair{0, 0});
-        report.line("left out", fmt::format("{} pixels in both, the first at {}, {}", found.left_out, x, y));
+        report.line("left out", fmt::format("{} of both, the first at {}, {}", pixels_text(found.left_out), x, y));
     }
     report.member("left_out", std::to_string(found.left_out));
     std::vector<std::string> notes;
@@ -198,7 +200,7 @@ std::vector<std::string> exceeded(const DifferenceLimits& limits, const Comparis
     if (limits.p99) check("the 99th percentile", comparison.ciede2000.p99, *limits.p99);
     // Those of A alone are A's fault.
     const std::int64_t only_in_b = comparison.left_out - comparison.a.not_finite;
-    if (only_in_b > 0) reasons.push_back(fmt::format("{} pixels are finite in A and not in B", only_in_b));
+    if (only_in_b > 0) reasons.push_back(fmt::format("{} finite in A and not in B", pixels_text(only_in_b)));
     return reasons;
 }
 

@@ -58,14 +58,25 @@ void draw_pixels(const Image<double>& differences, double end, const DifferenceR
     }
 }
 
+/// Into how many the scale is divided, for round numbers.
+int parts_of(double end) {
+    switch (fmt::format("{:e}", end).front()) {
+        case '2':
+            return 4;
+        case '3':
+            return 3;
+        default:
+            return 5;
+    }
+}
+
 /// The bar, a mark at each number, and the numbers; all of it from row y0 on.
 void draw_scale(double end, const DifferenceRamp& ramp, const Layout& layout, int y0, ImageView<CodeRGB> picture) {
     const int last = layout.bar_width() - 1;
     for (int i = 0; i <= last; ++i) {
         fill(picture, layout.margin + i, y0, 1, layout.bar_height, ramp.code(static_cast<double>(i) / last));
     }
-    // Ends that begin with 2 are divided by four, all others by five.
-    const int parts = fmt::format("{:e}", end).front() == '2' ? 4 : 5;
+    const int parts = parts_of(end);
     for (int part = 0; part <= parts; ++part) {
         const int x = layout.margin + (last * part + parts / 2) / parts;
         const std::string number = fmt::format("{:.3g}{}", end * part / parts, part == parts ? "+" : "");
@@ -80,7 +91,7 @@ void draw_scale(double end, const DifferenceRamp& ramp, const Layout& layout, in
 
 double scale_end(const DifferenceStatistics& statistics) noexcept {
     for (double decade = 1.0;; decade *= 10.0) {
-        for (const double end : {decade, 2.0 * decade, 5.0 * decade}) {
+        for (const double end : {decade, 2.0 * decade, 3.0 * decade, 5.0 * decade}) {
             if (!(statistics.p99 > end)) return end;
         }
     }

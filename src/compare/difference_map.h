@@ -16,7 +16,7 @@ struct DifferenceMapOptions {
     std::string name = "ciede2000";  ///< of the difference, below the scale; letters of display/label.h
 };
 
-/// The end of a scale on which 99 of 100 pixels find their place: the first of 1, 2, 5, 10, 20, ... that the 99th
+/// The end of a scale on which 99 of 100 pixels find their place: the first of 1, 2, 3, 5, 10, 20, ... that the 99th
 /// percentile does not exceed. So a map of differences that nobody sees stays dark.
 [[nodiscard]] double scale_end(const DifferenceStatistics& statistics) noexcept;
 

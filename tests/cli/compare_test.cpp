@@ -12,6 +12,7 @@
 #include "display/png_file.h"
 #include "display/png_read.h"
 #include "film/exr_file.h"
+#include "film/film_layers.h"
 #include "film_states.h"
 #include "json_check.h"
 #include "run_program.h"
@@ -104,8 +105,8 @@ TEST_F(CompareProgram, ExitsWithOneAboveTheLimits) {
     (void)write_exr(b, broken, {});
     const ProgramResult nan = compare({a, b, "--fail-above", "50"});
     EXPECT_EQ(nan.exit_code, 1);
-    EXPECT_THAT(nan.err, HasSubstr("1 pixels are finite in A and not in B"));
-    EXPECT_THAT(nan.out, HasSubstr("left out          1 pixels in both, the first at 3, 2\n"));
+    EXPECT_THAT(nan.err, HasSubstr("1 pixel finite in A and not in B"));
+    EXPECT_THAT(nan.out, HasSubstr("left out          1 pixel of both, the first at 3, 2\n"));
     EXPECT_EQ(compare({b, a, "--fail-above", "50"}).exit_code, 0);
 }
 

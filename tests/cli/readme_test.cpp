@@ -48,11 +48,12 @@ TEST(Readme, CommandsWriteTheFilesThatTheyName) {
             if (!arguments[i].starts_with("out/")) continue;
             arguments[i] = out.file(arguments[i].substr(4));
             const std::string& flag = arguments[i - 1];
-            if (flag == "-o" || flag == "--png" || flag == "--contact-sheet") outputs.push_back(arguments[i]);
+            if (flag == "-o" || flag == "--png" || flag == "--contact-sheet" || flag == "--map")
+                outputs.push_back(arguments[i]);
         }
         // As typed, but small; of an option given twice CLI11 would take neither.
-        if (arguments[0] == "render") {
-            for (const auto& [flag, value] : {std::pair{"--spp", "1"}, std::pair{"--resolution", "16x16"}}) {
+        if (arguments[0] == "render" || arguments[0] == "compare") {
+            for (const auto& [flag, value] : {std::pair{"--spp", "2"}, std::pair{"--resolution", "16x16"}}) {
                 const auto given = std::find(arguments.begin(), arguments.end(), flag);
                 if (given != arguments.end()) {
                     *std::next(given) = value;

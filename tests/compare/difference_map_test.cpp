@@ -58,6 +58,7 @@ TEST(DifferenceMap, ScalesEndWithRoundNumbers) {
     EXPECT_EQ(scale_end(with_p99(0.0)), 1.0);
     EXPECT_EQ(scale_end(with_p99(1.0)), 1.0);
     EXPECT_EQ(scale_end(with_p99(1.001)), 2.0);
+    EXPECT_EQ(scale_end(with_p99(2.5)), 3.0);
     EXPECT_EQ(scale_end(with_p99(4.0)), 5.0);
     EXPECT_EQ(scale_end(with_p99(73.0)), 100.0);
     EXPECT_EQ(scale_end(with_p99(120.0)), 200.0);

@@ -62,7 +62,7 @@ for source in cpp:examples/plug-in/main.cpp cmake:examples/plug-in/CMakeLists.tx
 done
 
 # --- Flags named in tables: | `--flag ...` | in the section of the subcommand, or both
-help=$("$program" --help && "$program" render --help && "$program" develop --help)
+help=$("$program" --help && "$program" render --help && "$program" develop --help && "$program" compare --help)
 for task in $("$program" color --help | sed -n '/^Subcommands:/,$p' | sed -nE 's/^  ([a-z]+) .*/\1/p'); do
     help+=$("$program" color "$task" --help)
 done
