@@ -10,9 +10,10 @@ namespace {
 void wavelengths_against_rgb(benchmark::State& state) {
     SceneBench& scene = scene_of_file(EMULSION_SOURCE_DIR "/scenes/cornell-box.pbrt");
     const RenderOptions spectral{
-        .samples_per_pixel = 1, .seed = 1, .wavelengths = static_cast<int>(state.range(0)), .threads = 1};
+        .samples_per_pixel = 1, .seed = 1, .model = SpectralModel{static_cast<int>(state.range(0))}, .threads = 1};
     RenderOptions rgb = spectral;
-    rgb.transport = TransportKind::rgb;
+    rgb.model = RgbModel{};
+    scene.prepared().prepare_for(rgb.model);
     if (!scene.is_expected(scene.render_once({.samples_per_pixel = 16, .seed = 7}))) {
         state.SkipWithError("not the expected picture");
     }

@@ -4,11 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/file_names.h"
 #include "cli/number_list.h"
-#include "spectrum/sampled_spectrum.h"
 
 namespace emulsion::cli {
 
@@ -24,14 +22,6 @@ OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most) {
         if (value && !is_octal && *value >= least && *value <= most) return {};
         return found_expected(text, fmt::format("a whole number from {} to {}", least, most));
     };
-}
-
-std::string is_wavelength_count(const std::string& text) {
-    const auto value = number_of<int>(text);
-    for (const int count : kWavelengthCounts) {
-        if (value == count) return {};
-    }
-    return found_expected(text, fmt::format("one of {}", fmt::join(kWavelengthCounts, ", ")));
 }
 
 std::string is_seconds(const std::string& text) {

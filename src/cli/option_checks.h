@@ -21,9 +21,6 @@ using OptionCheck = std::function<std::string(const std::string&)>;
 /// Digits alone, of a number in [least, most].
 [[nodiscard]] OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most);
 
-/// One of kWavelengthCounts (spectrum/sampled_spectrum.h).
-[[nodiscard]] std::string is_wavelength_count(const std::string& text);
-
 /// A finite number above 0.
 [[nodiscard]] std::string is_seconds(const std::string& text);
 

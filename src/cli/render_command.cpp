@@ -142,7 +142,7 @@ int RenderCommand::run(const std::string& command_line) const {
     FilmInProgress in_progress(film, state ? state->provenance : start.provenance);
     state.reset();
 
-    const PreparedScene prepared(std::move(scene), options.threads);
+    const PreparedScene prepared(std::move(scene), options.threads, options.model);
     const std::filesystem::path& state_file = files.state.empty() ? files.output : files.state;
     const auto write_state = [&] { write_film_state(state_file, state_of(in_progress, run), exr); };
     // Until the last file is written, Ctrl-C leaves no half of it behind.

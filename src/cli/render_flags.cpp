@@ -15,7 +15,6 @@
 #include "cli/render_values.h"
 #include "film/sensor_options.h"
 #include "spectrum/observer.h"
-#include "spectrum/sampled_spectrum.h"
 
 // The flags of `emulsion render`, by what they are about.
 
@@ -31,6 +30,12 @@ CLI::Option* add_parsed(CLI::App& command, const char* flag, Target& target, Par
         .add_option_function<std::string>(
             flag, [&target, parse](const std::string& text) { target = parse(text); }, help)
         ->option_text(value_name);
+}
+
+std::string model_help() {
+    std::string help = fmt::format("How light is carried [default: {}]; one of", to_text(TransportModel{}));
+    for (const auto& [form, text] : describe_transport_models()) help += fmt::format("\n  {}: {}", form, text);
+    return help;
 }
 
 void add_file_options(CLI::App& command, RenderSettings& settings) {
@@ -56,12 +61,12 @@ void add_sample_options(CLI::App& command, RenderSettings& settings) {
     command.add_option("--seed", settings.seed, "Seed of the random numbers, >= 0 [default: the scene's, or 0]")
         ->check(whole_number_check(0, std::numeric_limits<std::uint64_t>::max()))
         ->option_text("N");
-    command
-        .add_option("--wavelengths", settings.wavelengths,
-                    fmt::format("Wavelengths per path, one of {} [default: {}]", fmt::join(kWavelengthCounts, ", "),
-                                settings.wavelengths))
-        ->check(is_wavelength_count)
-        ->option_text("N");
+    add_parsed(
+        command, "--model", settings.model,
+        [](const std::string& text) {
+            return parse_named_option("--model", [&] { return parse_transport_model(text); });
+        },
+        model_help(), "MODEL");
     add_threads_option(command, settings.threads);
 }
 

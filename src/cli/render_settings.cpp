@@ -62,7 +62,7 @@ RenderOptions render_options(const RenderSettings& settings, const Scene& scene)
     RenderOptions options;
     options.samples_per_pixel = settings.samples_per_pixel.value_or(samples_per_pixel(scene.sampler));
     options.seed = settings.seed.value_or(static_cast<std::uint64_t>(scene.sampler_seed));
-    options.wavelengths = settings.wavelengths;
+    options.model = settings.model;
     options.threads = settings.threads;
     if (!settings.shard) return options;
     options.samples = samples_of(*settings.shard, options.samples_per_pixel);

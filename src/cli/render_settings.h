@@ -48,7 +48,7 @@ struct RenderSettings {
     std::vector<AuxLayer> aux;
     FireflyControl firefly_control;
 
-    int wavelengths = RenderOptions{}.wavelengths;
+    TransportModel model;
     int threads = 0;
     std::optional<Shard> shard;
     std::optional<double> checkpoint_s;  ///< > 0

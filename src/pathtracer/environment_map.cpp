@@ -30,22 +30,6 @@ Image<float> sampling_weights(const Image<RGB>& texels) {
     return weights;
 }
 
-template <int N>
-SampledSpectrum<N> light_of(const SigmoidTable& sigmoids, const RGB& texel,
-                            const SpectrumTableIndex<N>& index) noexcept {
-    std::array<float, N> lambda_nm{};
-    for (std::size_t i = 0; i < N; ++i) {
-        lambda_nm[i] = static_cast<float>(kMinWavelength_nm + index.cell[i]) + index.fraction[i];
-    }
-    const ScaledSigmoid colour = sigmoids.unbounded(texel);
-    return eval<N>(colour.sigmoid, lambda_nm) * colour.scale;
-}
-SampledSpectrum<3> light_of(const SigmoidTable&, const RGB& texel, const RgbTransport::Index&) noexcept {
-    SampledSpectrum<3> values;
-    values.value = {texel.r, texel.g, texel.b};
-    return values;
-}
-
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(const ImageInfiniteLight& light)
@@ -72,10 +56,28 @@ EnvironmentMap::Texel EnvironmentMap::texel_of(const Imath::V3f& direction) cons
     return {at(place.x, texels_->width()), at(place.y, texels_->height())};
 }
 
+void EnvironmentMap::prepare(const FixedChannels& channels, const Spectrum& illuminant) {
+    channel_colours_.emplace(channels, rgb_space("sRGB"), sigmoids_, illuminant);
+}
+
+template <int N>
+SampledSpectrum<N> EnvironmentMap::light_of(const RGB& texel, const SpectrumTableIndex<N>& index) const noexcept {
+    std::array<float, N> lambda_nm{};
+    for (std::size_t i = 0; i < N; ++i) {
+        lambda_nm[i] = static_cast<float>(kMinWavelength_nm + index.cell[i]) + index.fraction[i];
+    }
+    const ScaledSigmoid colour = sigmoids_.unbounded(texel);
+    return eval<N>(colour.sigmoid, lambda_nm) * colour.scale;
+}
+template <int K>
+SampledSpectrum<K> EnvironmentMap::light_of(const RGB& texel, const FixedIndex<K>& /*index*/) const noexcept {
+    return channel_colours_->unbounded<K>(texel);
+}
+
 template <class Index>
 ValuesAt<Index> EnvironmentMap::colour(const Imath::V3f& direction, const Index& index) const noexcept {
     const auto [x, y] = texel_of(direction);
-    return light_of(sigmoids_, (*texels_)(x, y), index);
+    return light_of((*texels_)(x, y), index);
 }
 
 #define EMULSION_INSTANTIATE(TRANSPORT)                                                                    \

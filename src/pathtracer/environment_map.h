@@ -4,10 +4,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
+#include "pathtracer/channel_colours.h"
 #include "pathtracer/scene_light.h"
 #include "pathtracer/texel_distribution.h"
 #include "pathtracer/transport.h"
@@ -18,6 +20,10 @@ namespace emulsion {
 class EnvironmentMap {
   public:
     explicit EnvironmentMap(const ImageInfiniteLight& light);
+
+    /// For paths of these channels. `illuminant` is the light's own.
+    /// \throws std::invalid_argument as SpectrumTables::prepare().
+    void prepare(const FixedChannels& channels, const Spectrum& illuminant);
 
     /// A direction towards the light, drawn with density pdf(): texels by how much brighter they are than the mean, as
     /// what is no brighter is found well enough by the surfaces' own sampling.
@@ -38,10 +44,16 @@ class EnvironmentMap {
     };
     [[nodiscard]] Texel texel_of(const Imath::V3f& direction) const noexcept;
 
+    template <int N>
+    [[nodiscard]] SampledSpectrum<N> light_of(const RGB& texel, const SpectrumTableIndex<N>& index) const noexcept;
+    template <int K>
+    [[nodiscard]] SampledSpectrum<K> light_of(const RGB& texel, const FixedIndex<K>& index) const noexcept;
+
     std::shared_ptr<const Image<RGB>> texels_;
     Imath::M33d light_from_world_, world_from_light_;
     TexelDistribution distribution_;
     SigmoidTable sigmoids_;
+    std::optional<ChannelColours> channel_colours_;
 };
 
 /// The luminance that the mean texel gives an illuminant of luminance 1.

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "core/units.h"
-#include "pathtracer/fresnel.h"
+#include "pathtracer/model_channels.h"
 #include "spectrum/reflectance_weights.h"
 #include "spectrum/rgb_space.h"
 
@@ -30,12 +29,7 @@ class MaterialAlbedos::AlbedoOf {
     std::array<double, 3> operator()(const ConductorMaterial& m) {
         const auto* ior = std::get_if<ComplexIor>(&m.ior);
         if (ior == nullptr) return of(std::get<ReflectanceParameter>(m.ior));
-        DenseSpectrum mirror{static_cast<double>(kMinWavelength_nm), 1.0, {}};
-        for (int lambda_nm = kMinWavelength_nm; lambda_nm <= kMaxWavelength_nm; ++lambda_nm) {
-            const double eta = eval(ior->eta, lambda_nm), k = eval(ior->k, lambda_nm);
-            mirror.value.push_back(fresnel_conductor(1.0, eta, k));
-        }
-        return of(Spectrum(mirror));
+        return of(normal_reflectance(ior->eta, ior->k));
     }
     std::array<double, 3> operator()(const DiffuseTransmissionMaterial& m) {
         return mixed(of(m.reflectance), of(m.transmittance), m.scale, m.scale);
@@ -55,7 +49,7 @@ class MaterialAlbedos::AlbedoOf {
         const auto* texture = std::get_if<TextureIndex>(&reflectance);
         if (texture == nullptr) return weighted_sums(albedos_.rgb_.rgb_weights, std::get<Spectrum>(reflectance));
         textured_ = true;
-        const SampledSpectrum<3> rgb = albedos_.textures_.reflectance(*texture, point_, RgbTransport::Index{});
+        const SampledSpectrum<3> rgb = albedos_.textures_.reflectance(*texture, point_, FixedIndex<3>{});
         return {rgb[0], rgb[1], rgb[2]};
     }
     static std::array<double, 3> mixed(const std::array<double, 3>& a, const std::array<double, 3>& b, double of_a,
@@ -72,6 +66,9 @@ MaterialAlbedos::MaterialAlbedos(const Scene& scene)
     : scene_(scene),
       rgb_(reflectance_rgb(rgb_space("sRGB"))),
       textures_(scene.float_textures, scene.reflectance_textures, spectra_) {
+    const FixedChannels srgb = rgb_channels("sRGB");
+    spectra_.prepare(srgb);
+    textures_.prepare(srgb);
     for (int i = 0; i < static_cast<int>(scene.materials.size()); ++i) {
         bool textured = false;
         const std::array<float, 3> albedo = at(i, {}, textured);

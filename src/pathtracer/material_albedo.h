@@ -7,6 +7,7 @@
 
 #include "pathtracer/prepared_textures.h"
 #include "pathtracer/scene.h"
+#include "spectrum/reflectance_weights.h"
 
 namespace emulsion {
 

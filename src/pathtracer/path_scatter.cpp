@@ -11,9 +11,11 @@ bool PathIntegrator<Transport>::scatter_material(PathT& path, std::uint32_t path
                                                  const PreparedMaterial& material, const Vertex& vertex, int depth) {
     const SurfacePoint& point = vertex.point;
     const PreparedMaterials& materials = scene_.materials();
-    if (path.channels == Channels::all && materials.needs_one_channel(material, vertex.place)) {
-        path.throughput *= of_first_channel<Transport::kChannels>(1.0f);
-        path.channels = Channels::first_only;
+    if constexpr (Transport::kSpectral) {
+        if (path.channels == Channels::all && materials.needs_one_channel(material, vertex.place)) {
+            path.throughput *= of_first_channel<Transport::kChannels>(1.0f);
+            path.channels = Channels::first_only;
+        }
     }
     std::uint64_t seed = 0;
     if (materials.is_estimated(material)) seed = static_cast<std::uint64_t>(path.samples.next_1d_fine() * 0x1p48);

@@ -40,18 +40,18 @@ class Preparation {
         PreparedConductor prepared;
         prepared.roughness = roughness(m.roughness);
         if (const auto* ior = std::get_if<ComplexIor>(&m.ior)) {
-            prepared.eta = spectra_.add_property(ior->eta);
-            prepared.k = spectra_.add_property(ior->k);
+            prepared.eta = spectra_.add_metal(ior->eta, ior->k);
+            prepared.k = prepared.eta + 1;
         } else {
             prepared.reflectance = reflectance(std::get<ReflectanceParameter>(m.ior));
         }
         return prepared;
     }
     PreparedMaterial operator()(const DielectricMaterial& m) {
-        return PreparedDielectric{spectra_.add_property(m.eta), !is_constant(m.eta), roughness(m.roughness)};
+        return PreparedDielectric{spectra_.add_index(m.eta), !is_constant(m.eta), roughness(m.roughness)};
     }
     PreparedMaterial operator()(const ThinDielectricMaterial& m) {
-        return PreparedThinDielectric{spectra_.add_property(m.eta)};
+        return PreparedThinDielectric{spectra_.add_index(m.eta)};
     }
     PreparedMaterial operator()(const DiffuseTransmissionMaterial& m) {
         return PreparedDiffuseTransmission{reflectance(m.reflectance), reflectance(m.transmittance),
@@ -60,9 +60,9 @@ class Preparation {
     PreparedMaterial operator()(const CoatedDiffuseMaterial& m) {
         PreparedCoatedDiffuse prepared;
         prepared.reflectance = reflectance(m.reflectance);
-        prepared.eta = spectra_.add_property(m.eta);
+        prepared.eta = spectra_.add_index(m.eta);
         prepared.disperses = !is_constant(m.eta);
-        prepared.internal_reflectance = spectra_.add_property(internal_reflectance(m));
+        prepared.internal_reflectance = spectra_.add_index(internal_reflectance(m));
         prepared.roughness = roughness(m.roughness);
         prepared.thickness = static_cast<float>(m.thickness);
         prepared.terms = (m.max_depth + 1) / 2;
@@ -77,7 +77,7 @@ class Preparation {
   private:
     PreparedReflectance reflectance(const ReflectanceParameter& parameter) {
         if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
-        return {spectra_.add_property(std::get<Spectrum>(parameter)), -1};
+        return {spectra_.add_reflectance(std::get<Spectrum>(parameter)), -1};
     }
     static PreparedNumber number(const FloatParameter& parameter) {
         if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0.0f, texture->index};
@@ -137,7 +137,6 @@ template <class Transport>
 class BsdfMaker {
   public:
     static constexpr int kN = Transport::kChannels;
-    static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
 
     BsdfMaker(const SpectrumTables& spectra, const PreparedTextures& textures, const TexturePoint& point,
               const typename Transport::Index& index, Channels channels, std::uint64_t seed) noexcept
@@ -156,9 +155,10 @@ class BsdfMaker {
     }
     Bsdf<kN> operator()(const PreparedDielectric& m) const noexcept {
         Facets facets = facets_at(m.roughness);
-        const SampledSpectrum<kN> eta = shared_by_colours(index_or_one(at(m.eta)));
+        const SampledSpectrum<kN> eta = index_or_one(at(m.eta));
         if (eta[0] == 1.0f) facets.smooth = true;
-        const bool disperses = kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && kN > 1;
+        const bool disperses =
+            Transport::kSpectral && m.disperses && facets.smooth && channels_ == Channels::all && kN > 1;
         return DielectricBsdf<kN>{eta, facets.ggx, facets.smooth, disperses};
     }
     Bsdf<kN> operator()(const PreparedThinDielectric& m) const noexcept {
@@ -171,7 +171,7 @@ class BsdfMaker {
         const Facets facets = facets_at(m.roughness);
         CoatedDiffuseBsdf<kN> bsdf;
         bsdf.reflectance = at(m.reflectance);
-        bsdf.eta = shared_by_colours(index_or_one(at(m.eta)))[0];
+        bsdf.eta = index_or_one(at(m.eta))[0];
         bsdf.thickness = m.thickness;
         bsdf.terms = m.terms;
         bsdf.internal_reflectance = at(m.internal_reflectance)[0];
@@ -200,11 +200,6 @@ class BsdfMaker {
         SampledSpectrum<kN> values = at(reflectance) * scale;
         for (float& value : values.value) value = std::clamp(value, 0.0f, 1.0f);
         return values;
-    }
-    /// Colours share one direction, that of green.
-    static SampledSpectrum<kN> shared_by_colours(const SampledSpectrum<kN>& eta) noexcept {
-        if constexpr (kSpectral) return eta;
-        return SampledSpectrum<kN>(eta[1 % kN]);
     }
 
     const SpectrumTables& spectra_;

@@ -72,6 +72,9 @@ class PreparedMaterials {
     /// \throws std::invalid_argument naming what is out of range; for a mix that contains itself.
     PreparedMaterials(const Scene& scene, SpectrumTables& spectra);
 
+    /// As PreparedTextures::prepare().
+    void prepare(const FixedChannels& channels) { textures_.prepare(channels); }
+
     [[nodiscard]] const PreparedMaterial& operator[](std::uint32_t i) const noexcept { return materials_[i]; }
 
     /// The table of a Lambertian reflectance that is the same everywhere; unset for every other material.

@@ -7,7 +7,7 @@
 
 namespace emulsion {
 
-PreparedScene::PreparedScene(Scene scene, int threads) : scene_(std::move(scene)) {
+PreparedScene::PreparedScene(Scene scene, int threads, const TransportModel& model) : scene_(std::move(scene)) {
     const std::vector<ShapeRange> objects = settle_objects(scene_);
     accelerator_ = std::make_unique<Accelerator>(scene_, objects, threads);
     materials_ = std::make_unique<PreparedMaterials>(scene_, spectra_);
@@ -18,6 +18,8 @@ PreparedScene::PreparedScene(Scene scene, int threads) : scene_(std::move(scene)
     instances_.reserve(scene_.instances.size());
     for (const ObjectInstance& instance : scene_.instances) instances_.emplace_back(instance.world_from_object);
     for (const Light& light : scene_.lights) add_light(light, powers);
+    flux_ = powers.emitter;
+    prepare_for(model);
     if (emitters_.empty()) return;
     const std::vector<double> weights = powers.weights();
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);

@@ -10,10 +10,12 @@
 #include "pathtracer/emitters.h"
 #include "pathtracer/environment_map.h"
 #include "pathtracer/light_powers.h"
+#include "pathtracer/model_channels.h"
 #include "pathtracer/prepared_instance.h"
 #include "pathtracer/prepared_materials.h"
 #include "pathtracer/scene.h"
 #include "pathtracer/surface.h"
+#include "spectrum/wavelength_sampler.h"
 
 namespace emulsion {
 
@@ -22,7 +24,18 @@ class PreparedScene {
     /// Takes the scene over. `threads` as in parallel_for; renders of the scene use no more of them than this, since
     /// Embree keeps oneTBB to that number while it holds the scene.
     /// \throws std::invalid_argument naming what is out of range; std::runtime_error if Embree fails.
-    PreparedScene(Scene scene, int threads);
+    PreparedScene(Scene scene, int threads, const TransportModel& model = {});
+
+    /// Prepares its spectra for another model; the rest stays.
+    /// \throws std::invalid_argument as validate(TransportModel) does.
+    void prepare_for(const TransportModel& model);
+    /// Whether it is: for the last model that it was prepared for, and for wavelengths drawn without knowing the scene.
+    [[nodiscard]] bool is_prepared_for(const TransportModel& model) const noexcept;
+    /// Of the last model that it was prepared for, unless that is a spectral one.
+    [[nodiscard]] const std::optional<FixedChannels>& channels() const noexcept { return channels_; }
+    [[nodiscard]] const WavelengthSampler& wavelengths() const noexcept { return wavelengths_; }
+    /// What its lights and surfaces are made of, each spectrum once.
+    [[nodiscard]] SceneSpectra scene_spectra() const;
 
     /// What shading needs to know of one shape of the scene.
     struct PreparedShape {
@@ -52,7 +65,12 @@ class PreparedScene {
     void add_area_light(const AreaLight& light, PreparedShape& shape, LightPowers& powers);
     void add_light(const Light& light, LightPowers& powers);
 
+    [[nodiscard]] WavelengthImportance importance() const;
+
     Scene scene_;
+    TransportModel model_;
+    std::optional<FixedChannels> channels_;
+    WavelengthSampler wavelengths_;
     std::unique_ptr<Accelerator> accelerator_;
     SpectrumTables spectra_;
     std::unique_ptr<PreparedMaterials> materials_;
@@ -60,6 +78,7 @@ class PreparedScene {
     std::vector<PreparedInstance> instances_;
     std::vector<std::unique_ptr<EnvironmentMap>> environment_maps_;
     std::vector<Emitter> emitters_;
+    std::vector<double> flux_;  // of each emitter, in lm/683
     std::vector<std::uint32_t> infinite_emitters_;
     EmitterPicker picker_;
 };

@@ -43,17 +43,6 @@ std::array<float, N> wavelengths_of(const SpectrumTableIndex<N>& index) noexcept
     return lambda_nm;
 }
 
-template <int N>
-SampledSpectrum<N> values_of(const SigmoidTable& sigmoids, const RGB& colour,
-                             const SpectrumTableIndex<N>& index) noexcept {
-    return eval<N>(sigmoids.reflectance(colour), wavelengths_of(index));
-}
-SampledSpectrum<3> values_of(const SigmoidTable&, const RGB& colour, const RgbTransport::Index&) noexcept {
-    SampledSpectrum<3> values;
-    values.value = {colour.r, colour.g, colour.b};
-    return values;
-}
-
 }  // namespace
 
 // --- Preparation
@@ -79,7 +68,7 @@ PreparedTextures::NumberOperand PreparedTextures::prepared(const FloatParameter&
 PreparedTextures::ReflectanceOperand PreparedTextures::prepared(const ReflectanceParameter& parameter,
                                                                 SpectrumTables& spectra) {
     if (const auto* texture = std::get_if<TextureIndex>(&parameter)) return {0, texture->index};
-    return {spectra.add_property(std::get<Spectrum>(parameter)), -1};
+    return {spectra.add_reflectance(std::get<Spectrum>(parameter)), -1};
 }
 
 template <class NodeType, class Texture>
@@ -101,6 +90,10 @@ NodeType PreparedTextures::prepared_node(const Texture& texture, SpectrumTables&
         }
     };
     return std::visit(prepare, texture);
+}
+
+void PreparedTextures::prepare(const FixedChannels& channels) {
+    if (sigmoids_) colours_.emplace(channels, rgb_space("sRGB"), *sigmoids_);
 }
 
 // --- Lookup
@@ -125,13 +118,22 @@ float PreparedTextures::value(const NumberOperand& operand, const TexturePoint& 
     return operand.texture < 0 ? operand.constant : number({operand.texture}, point);
 }
 
+template <int N>
+SampledSpectrum<N> PreparedTextures::values_of(const RGB& colour, const SpectrumTableIndex<N>& index) const noexcept {
+    return eval<N>(sigmoids_->reflectance(colour), wavelengths_of(index));
+}
+template <int K>
+SampledSpectrum<K> PreparedTextures::values_of(const RGB& colour, const FixedIndex<K>& /*index*/) const noexcept {
+    return colours_->at<K>(colour);
+}
+
 template <class Index>
 ValuesAt<Index> PreparedTextures::value(const ReflectanceOperand& operand, const TexturePoint& point,
                                         const Index& index) const noexcept {
     if (operand.texture < 0) return spectra_[operand.table].at(index);
     const auto evaluate = [&](const auto& node) noexcept -> ValuesAt<Index> {
         if constexpr (requires { node.image; }) {
-            return values_of(*sigmoids_, colour_of(node, point), index);
+            return values_of(colour_of(node, point), index);
         } else if constexpr (requires { node.scale; }) {
             return value(node.texture, point, index) * value(node.scale, point);
         } else if constexpr (requires { node.amount; }) {
@@ -148,7 +150,9 @@ template <class Index>
 ValuesAt<Index> PreparedTextures::reflectance(TextureIndex texture, const TexturePoint& point,
                                               const Index& index) const noexcept {
     ValuesAt<Index> result = value(ReflectanceOperand{0, texture.index}, point, index);
-    for (float& r : result.value) r = r > 0.0f ? std::min(r, 1.0f) : 0.0f;
+    constexpr bool kSpectral = requires { index.cell; };
+    constexpr float kLeast = kSpectral ? 0.0f : -1.0f;  // as SpectrumTables::prepare
+    for (float& r : result.value) r = r > kLeast ? std::min(r, 1.0f) : kLeast;
     return result;
 }
 

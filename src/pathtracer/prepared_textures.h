@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "pathtracer/channel_colours.h"
 #include "pathtracer/scene_texture.h"
 #include "pathtracer/spectrum_tables.h"
 #include "pathtracer/texture_point.h"
@@ -26,11 +27,14 @@ class PreparedTextures {
     PreparedTextures(std::span<const FloatTexture> numbers, std::span<const ReflectanceTexture> reflectances,
                      SpectrumTables& spectra);
 
+    /// For paths of these channels; SpectrumTables::prepare() is the other half. \throws std::invalid_argument as that.
+    void prepare(const FixedChannels& channels);
+
     /// The value of Scene::float_textures[texture] at a point.
     [[nodiscard]] float number(TextureIndex texture, const TexturePoint& point) const noexcept;
 
     /// The value of Scene::reflectance_textures[texture] at a point, for the channels of a transport's index, clamped
-    /// to [0, 1]: scales above 1 may lead out of it.
+    /// to [0, 1], or fixed channels to [-1, 1]: scales above 1 may lead out of it.
     template <class Index>
     [[nodiscard]] ValuesAt<Index> reflectance(TextureIndex texture, const TexturePoint& point,
                                               const Index& index) const noexcept;
@@ -73,10 +77,16 @@ class PreparedTextures {
     [[nodiscard]] ValuesAt<Index> value(const ReflectanceOperand& operand, const TexturePoint& point,
                                         const Index& index) const noexcept;
 
+    template <int N>
+    [[nodiscard]] SampledSpectrum<N> values_of(const RGB& colour, const SpectrumTableIndex<N>& index) const noexcept;
+    template <int K>
+    [[nodiscard]] SampledSpectrum<K> values_of(const RGB& colour, const FixedIndex<K>& index) const noexcept;
+
     std::vector<Node<NumberOperand, float>> numbers_;
     std::vector<Node<ReflectanceOperand, RGB>> reflectances_;
     const SpectrumTables& spectra_;
-    std::optional<SigmoidTable> sigmoids_;  // of sRGB; if there are images of reflectances
+    std::optional<SigmoidTable> sigmoids_;   // of sRGB; if there are images of reflectances
+    std::optional<ChannelColours> colours_;  // the same for the channels, once these are known
 };
 
 }  // namespace emulsion

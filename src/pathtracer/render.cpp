@@ -10,12 +10,12 @@
 
 #include "core/parallel.h"
 #include "film/filter_sampler.h"
-#include "film/rgb_input.h"
 #include "pathtracer/aux_layers.h"
 #include "pathtracer/camera.h"
 #include "pathtracer/path_integrator.h"
 #include "pathtracer/sample_sequence.h"
-#include "spectrum/wavelength_sampling.h"
+#include "spectrum/observer.h"
+#include "spectrum/wavelength_sampler.h"
 
 namespace emulsion {
 
@@ -23,6 +23,23 @@ namespace {
 
 /// Paths traced together: enough to fill Embree's packets down to the last bounces, few enough to stay in cache.
 constexpr std::size_t kBatchSize = 256;
+
+WavelengthSampler sampler_of(const PreparedScene& scene, const TransportModel& model) {
+    const auto* spectral = std::get_if<SpectralModel>(&model);
+    const bool known = spectral != nullptr && !std::holds_alternative<HeroVisible>(spectral->strategy);
+    return known ? scene.wavelengths() : WavelengthSampler{};
+}
+
+/// From a path's channels to what the film takes.
+std::array<XYZ, kMostFixedChannels> channel_matrix(const FixedChannels& channels, double imaging_ratio) {
+    std::array<XYZ, kMostFixedChannels> matrix{};
+    for (std::size_t k = 0; k < channels.channel.size(); ++k) {
+        const auto& [x, y, z] = channels.channel[k].xyz;
+        matrix[k] = {static_cast<float>(x * imaging_ratio), static_cast<float>(y * imaging_ratio),
+                     static_cast<float>(z * imaging_ratio)};
+    }
+    return matrix;
+}
 
 /// Renders tiles with one kind of transport.
 template <class Transport>
@@ -37,7 +54,11 @@ class TileRenderer {
           filter_(film.options().filter),
           camera_(scene.scene().camera, film.options().width_px, film.options().height_px),
           aux_(scene.scene(), film.options().aux),
-          rgb_input_(rgb_space("sRGB"), film.sensor().imaging_ratio()) {}
+          wavelengths_(sampler_of(scene, options.model)) {
+        if constexpr (!Transport::kSpectral) {
+            xyz_from_channels_ = channel_matrix(*scene.channels(), film.sensor().imaging_ratio());
+        }
+    }
 
     /// These samples of every pixel within the bounds, some of which may lie outside the frame.
     [[nodiscard]] FilmTile render_tile(PixelBounds bounds, SampleRange samples) const {
@@ -73,8 +94,6 @@ class TileRenderer {
     }
 
   private:
-    static constexpr bool kSpectral = !std::is_same_v<Transport, RgbTransport>;
-
     struct Start {
         int x, y, sample_index;
         float x_px, y_px, weight;
@@ -83,10 +102,12 @@ class TileRenderer {
     Start start_path(int x, int y, int sample_index, Path<Transport>& path) const noexcept {
         path.samples = SampleSequence(sampler_, options_.seed, x, y, sample_index);
         const SampleJitter& jitter = scene_.scene().jitter;
-        if constexpr (kSpectral) {
-            const float wavelength = path.samples.next_1d();
-            path.wavelengths =
-                hero_wavelengths<Transport::kChannels>(wavelength_pdf_, jitter.wavelength ? wavelength : 0.5f);
+        if constexpr (Transport::kSpectral) {
+            const auto next_u = [&] {
+                const float u = path.samples.next_1d();
+                return jitter.wavelength ? u : 0.5f;
+            };
+            path.wavelengths = sample_wavelengths<Transport::kChannels>(wavelengths_, next_u);
             path.index = typename Transport::Index(path.wavelengths.lambda_nm);
         }
         const auto [u, v] = jittered(path.samples.next_2d());
@@ -108,12 +129,15 @@ class TileRenderer {
 
     void add(FilmTile& tile, const Start& start, const Path<Transport>& path) const noexcept {
         tile.set_sample_index(static_cast<std::uint64_t>(start.sample_index));
-        if constexpr (kSpectral) {
+        if constexpr (Transport::kSpectral) {
             if (is_splatted_) [[unlikely]]
                 return add_at(tile, start.x_px, start.y_px, path);
             tile.add(start.x, start.y, path.wavelengths, path.radiance, start.weight);
         } else {
-            const XYZ xyz = rgb_input_.to_xyz({path.radiance[0], path.radiance[1], path.radiance[2]});
+            XYZ xyz{};
+            for (int k = 0; k < Transport::kChannels; ++k) {
+                xyz = xyz + path.radiance[k] * xyz_from_channels_[static_cast<std::size_t>(k)];
+            }
             if (is_splatted_) return tile.add_at(start.x_px, start.y_px, xyz);
             tile.add(start.x, start.y, xyz, start.weight);
         }
@@ -131,8 +155,8 @@ class TileRenderer {
     FilterSampler filter_;
     CameraRays camera_;
     AuxLayers aux_;
-    VisibleWavelengthPdf wavelength_pdf_;
-    RgbInput rgb_input_;
+    WavelengthSampler wavelengths_;                            // of spectral models
+    std::array<XYZ, kMostFixedChannels> xyz_from_channels_{};  // of the others
 };
 
 template <class Transport>
@@ -158,6 +182,22 @@ void require_same(const char* what, const std::string& of_film, const std::strin
                                 of_render + "\"");
 }
 
+void check_model(const PreparedScene& scene, const TransportModel& model, const FilmOptions& film) {
+    if (!scene.is_prepared_for(model)) {
+        throw std::invalid_argument("model: the scene is not prepared for " + to_text(model));
+    }
+    if (std::holds_alternative<SpectralModel>(model)) return;
+    const SensorOptions& sensor = film.sensor;
+    const auto refuse = [&model](const std::string& what) {
+        throw std::invalid_argument("model " + to_text(model) +
+                                    ": knows XYZ of the CIE 1931 observer alone, but the film " + what);
+    };
+    if (observer(sensor.observer).name != cie_1931_2deg().name) refuse("is of observer " + sensor.observer);
+    if (sensor.camera) refuse("sees as a camera");
+    if (sensor.white_balance) refuse("has a white balance");
+    if (film.spectrum) refuse("has spectral buckets");
+}
+
 /// x0, x1, y0, y1 as parts of a frame, in whole pixels: as pbrt-v4 rounds them.
 PixelBounds pixels_of(const std::array<double, 4>& window, int width_px, int height_px) noexcept {
     const auto pixels = [](double part, int size_px) { return static_cast<int>(std::ceil(part * size_px)); };
@@ -179,9 +219,7 @@ void validate(const RenderOptions& options) {
         throw std::invalid_argument("samples [" + std::to_string(samples.begin) + ", " + std::to_string(samples.end) +
                                     "): must be some of [0, " + std::to_string(options.samples_per_pixel) + ")");
     }
-    if (std::find(kWavelengthCounts.begin(), kWavelengthCounts.end(), options.wavelengths) == kWavelengthCounts.end()) {
-        refuse("wavelengths", options.wavelengths, "1, 2, 4, 8, 16 or 32");
-    }
+    validate(options.model);
     if (options.threads < 0) refuse("threads", options.threads, "at least 0");
 }
 
@@ -192,12 +230,9 @@ SampleRange samples_of(const RenderOptions& options) noexcept {
 FilmProvenance provenance_of(const Scene& scene, const RenderOptions& options) {
     FilmProvenance provenance;
     provenance.scene = scene.hash;
-    provenance.sampling =
-        to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
-        " seed=" + std::to_string(options.seed) +
-        (options.transport == TransportKind::rgb ? " transport=rgb"
-                                                 : " wavelengths=" + std::to_string(options.wavelengths)) +
-        " renderer=emulsion-" EMULSION_VERSION;
+    provenance.sampling = to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
+                          " seed=" + std::to_string(options.seed) + " model=" + to_text(options.model) +
+                          " renderer=emulsion-" EMULSION_VERSION;
     return provenance;
 }
 
@@ -206,21 +241,18 @@ void render(const PreparedScene& scene, const RenderOptions& options, FilmInProg
     const FilmProvenance expected = provenance_of(scene.scene(), options), found = film.provenance();
     require_same("scene", found.scene, expected.scene);
     require_same("sampling", found.sampling, expected.sampling);
-    if (options.transport == TransportKind::rgb) return render_with<RgbTransport>(scene, options, film, progress);
-    switch (options.wavelengths) {
-        case 1:
-            return render_with<SpectralTransport<1>>(scene, options, film, progress);
-        case 2:
-            return render_with<SpectralTransport<2>>(scene, options, film, progress);
-        case 4:
-            return render_with<SpectralTransport<4>>(scene, options, film, progress);
-        case 8:
-            return render_with<SpectralTransport<8>>(scene, options, film, progress);
-        case 16:
-            return render_with<SpectralTransport<16>>(scene, options, film, progress);
-        default:
-            return render_with<SpectralTransport<32>>(scene, options, film, progress);
+    check_model(scene, options.model, film.film().options());
+    const auto render_as = [&]<class Transport>() { render_with<Transport>(scene, options, film, progress); };
+    if (const auto* spectral = std::get_if<SpectralModel>(&options.model)) {
+        for_each_wavelength_count([&]<int N>() {
+            if (N == spectral->wavelengths) render_as.template operator()<SpectralTransport<N>>();
+        });
+        return;
     }
+    const int channels = scene.channels()->count();
+    if (channels <= 3) return render_as.template operator()<FixedTransport<3>>();
+    if (channels <= 4) return render_as.template operator()<FixedTransport<4>>();
+    return render_as.template operator()<FixedTransport<8>>();
 }
 
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress) {

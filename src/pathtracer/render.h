@@ -9,15 +9,11 @@
 #include "film/film_provenance.h"
 #include "pathtracer/film_in_progress.h"
 #include "pathtracer/prepared_scene.h"
+#include "pathtracer/transport_model.h"
 
 namespace emulsion {
 
 inline constexpr int kMostSamplesPerPixel = 1 << 24;
-
-enum class TransportKind {
-    spectral,  ///< a number of wavelengths per path
-    rgb        ///< linear Rec.709: pathtracer/transport.h
-};
 
 struct RenderOptions {
     /// In [1, kMostSamplesPerPixel]; of the whole picture: a stratified sampler's strata depend on it.
@@ -25,9 +21,8 @@ struct RenderOptions {
     /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
     std::optional<SampleRange> samples = std::nullopt;
     std::uint64_t seed = 0;  ///< another seed, another independent picture
-    TransportKind transport = TransportKind::spectral;
-    int wavelengths = 4;  ///< per path of spectral transport; one of kWavelengthCounts
-    int threads = 0;      ///< >= 0; 0: one per hardware thread
+    TransportModel model;    ///< that the scene is prepared for
+    int threads = 0;         ///< >= 0; 0: one per hardware thread
 };
 
 /// \throws std::invalid_argument naming the field, its value and its range.
@@ -55,7 +50,9 @@ struct RenderProgress {
 /// type of processor may differ by rounding.) Samples are added in rounds over the whole picture, the first of one
 /// sample per pixel: from then on a picture that is stopped early is whole.
 /// \throws std::invalid_argument as validate() does; if the film has samples of another scene or sampling; and for an
-/// auxiliary layer of another name.
+/// auxiliary layer of another name. So if the
+/// scene isn't prepared for the model; and for models of fixed channels, which know nothing but CIE 1931 XYZ, if the
+/// film has another observer, a camera, a white balance or spectral buckets.
 void render(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film, RenderProgress& progress);
 /// The same with a film that has no samples of this scene yet, and whose account nobody needs.
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress);

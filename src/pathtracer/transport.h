@@ -1,8 +1,7 @@
 #pragma once
-// What a path carries: the values of N wavelengths, or red, green and blue. The integrator is written once, for any of
-// them; kChannels values are a SampledSpectrum, whichever they are.
+// What a path carries: the values of N wavelengths that it drew, or K channels that are the same for all paths. The
+// integrator is written once, for either; kChannels values are a SampledSpectrum, whichever they are.
 
-#include "core/color.h"
 #include "spectrum/sampled_spectrum.h"
 #include "spectrum/spectrum_table.h"
 
@@ -12,16 +11,23 @@ namespace emulsion {
 template <int N>
 struct SpectralTransport {
     static constexpr int kChannels = N;
+    static constexpr bool kSpectral = true;
     using Wavelengths = SampledWavelengths<N>;
     using Index = SpectrumTableIndex<N>;  ///< of the wavelengths
 };
 
-/// Linear Rec.709 in cd/m^2: reflectances as they look under D65, lights as they look. Every product of a light and a
-/// reflectance is one of colours, whatever their spectra: bench/pathtracer compares it with the others.
-struct RgbTransport {
-    static constexpr int kChannels = 3;
+/// Which numbers of a spectrum a path of K channels asks for: all of them.
+template <int K>
+struct FixedIndex {};
+
+/// The K channels of fixed_channels.h. Every product of a light and a reflectance is one of channels, whatever their
+/// spectra.
+template <int K>
+struct FixedTransport {
+    static constexpr int kChannels = K;
+    static constexpr bool kSpectral = false;
     struct Wavelengths {};
-    struct Index {};
+    using Index = FixedIndex<K>;
 };
 
 /// The channels of an index.
@@ -29,31 +35,17 @@ template <int N>
 [[nodiscard]] constexpr int channels_of(const SpectrumTableIndex<N>&) noexcept {
     return N;
 }
-[[nodiscard]] constexpr int channels_of(const RgbTransport::Index&) noexcept { return RgbTransport::kChannels; }
+template <int K>
+[[nodiscard]] constexpr int channels_of(const FixedIndex<K>&) noexcept {
+    return K;
+}
 template <class Index>
 using ValuesAt = SampledSpectrum<channels_of(Index{})>;
 
-/// A spectrum in the form of every transport.
-class PreparedSpectrum {
-  public:
-    PreparedSpectrum(SpectrumTable table, const RGB& rgb) : table_(std::move(table)) {
-        rgb_.value = {rgb.r, rgb.g, rgb.b};
-    }
-
-    template <int N>
-    [[nodiscard]] SampledSpectrum<N> at(const SpectrumTableIndex<N>& index) const noexcept {
-        return table_.at(index);
-    }
-    [[nodiscard]] const SampledSpectrum<3>& at(const RgbTransport::Index&) const noexcept { return rgb_; }
-
-  private:
-    SpectrumTable table_;
-    SampledSpectrum<3> rgb_;
-};
-
 }  // namespace emulsion
 
-/// Expands macro(Transport) for each.
+/// Expands macro(Transport) for each. Channels of a number in between are rendered as the next of these, the rest 0.
 #define EMULSION_FOR_EACH_TRANSPORT(macro)                                                                          \
     macro(SpectralTransport<1>) macro(SpectralTransport<2>) macro(SpectralTransport<4>) macro(SpectralTransport<8>) \
-        macro(SpectralTransport<16>) macro(SpectralTransport<32>) macro(RgbTransport)
+        macro(SpectralTransport<16>) macro(SpectralTransport<32>) macro(FixedTransport<3>) macro(FixedTransport<4>) \
+            macro(FixedTransport<8>)

@@ -26,11 +26,25 @@ std::vector<RgbSpace> tabulated_spaces() {
     return spaces;
 }
 
+/// What some spaces are called without the name of their primaries.
+constexpr std::array kShortNames = {std::pair<std::string_view, std::string_view>{"ACEScg", "ACEScg_AP1"},
+                                    std::pair<std::string_view, std::string_view>{"ACES2065-1", "ACES2065_1_AP0"},
+                                    std::pair<std::string_view, std::string_view>{"ProPhoto", "ROMM_ProPhoto"}};
+
+/// The key of a name in the table.
+std::string table_key(std::string_view name) {
+    const std::string key = name_key(name);
+    for (const auto& [short_name, whole_name] : kShortNames) {
+        if (key == name_key(short_name)) return name_key(whole_name);
+    }
+    return key;
+}
+
 }  // namespace
 
 const RgbSpace& rgb_space(std::string_view name) {
     static const std::vector<RgbSpace> spaces = tabulated_spaces();
-    const std::string wanted = name_key(name);
+    const std::string wanted = table_key(name);
     for (const RgbSpace& space : spaces) {
         if (name_key(space.name) == wanted) return space;
     }

@@ -19,7 +19,8 @@ struct RgbSpace {
 };
 
 /// A space of data/rgb_colourspaces.csv: "sRGB", "Rec709", "Rec2020", "Display_P3", ...; spelt as core/name_key.h
-/// allows, so that "display-p3" will do.
+/// allows, so that "display-p3" will do; "ACEScg",
+/// "ACES2065-1" and "ProPhoto" are short for the names with their primaries.
 /// \throws std::invalid_argument for an unknown name, listing those that exist.
 [[nodiscard]] const RgbSpace& rgb_space(std::string_view name);
 

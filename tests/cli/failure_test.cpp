@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"render", "SCENE", "--resolution", "0x480"},
                       std::vector<std::string>{"render", "SCENE", "--resolution", "640x480x3"},
                       std::vector<std::string>{"render", "SCENE", "--resolution", "640x99999"},
-                      std::vector<std::string>{"render", "SCENE", "--wavelengths", "3"},
+                      std::vector<std::string>{"render", "SCENE", "--model", "spectral:3"},
                       std::vector<std::string>{"render", "SCENE", "--threads", "-1"},
                       std::vector<std::string>{"render", "SCENE", "--seed", "-1"},
                       std::vector<std::string>{"render", "SCENE", "--tonemap", "reinhart-global"},
@@ -203,7 +203,7 @@ TEST(Help, NamesEveryFlagWithItsDefault) {
     const ProgramResult render = run_program({"render", "--help"});
     EXPECT_EQ(render.exit_code, 0);
     for (const char* flag :
-         {"SCENE", "-o", "--png", "--spp", "--resolution", "--threads", "--seed", "--wavelengths", "--rgb", "--half",
+         {"SCENE", "-o", "--png", "--spp", "--resolution", "--threads", "--seed", "--model", "--rgb", "--half",
           "--quiet", "--tonemap", "reinhard-global", "max-to-white", "key=0.18", "cd/m^2", "default"}) {
         EXPECT_THAT(render.out, HasSubstr(flag));
     }

@@ -49,7 +49,7 @@ TEST_F(Losses, PixelsWithoutAValueAreCounted) {
 }
 
 TEST_F(Losses, SaturatedPixelsAreCounted) {
-    const ProgramResult result = render(sky("1e36"), {"--spp", "4", "--wavelengths", "32"});
+    const ProgramResult result = render(sky("1e36"), {"--spp", "4", "--model", "spectral:32"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err, HasSubstr("1200 pixels have left the range of the film's sums"));
 }
@@ -62,7 +62,7 @@ TEST_F(Losses, SamplesTooFaintForTheSumsAreCounted) {
 }
 
 TEST_F(Losses, ValuesTooLargeForTheFileAreCounted) {
-    const ProgramResult result = render(sky("1e9"), {"--half", "--spp", "4", "--wavelengths", "32"});
+    const ProgramResult result = render(sky("1e9"), {"--half", "--spp", "4", "--model", "spectral:32"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err, HasSubstr(exr_ + ": 3600 channel values are too large for 16-bit floats"));
 }
@@ -88,7 +88,7 @@ TEST(ExrLosses, TellEachKindAndNameTheTypeThatWasTooSmall) {
 }
 
 TEST_F(Losses, APictureOfBadSamplesOnlyIsAnError) {
-    const ProgramResult result = render(sky("1e39"), {"--spp", "2", "--wavelengths", "32"});
+    const ProgramResult result = render(sky("1e39"), {"--spp", "2", "--model", "spectral:32"});
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr("emulsion: error: all 2400 samples were bad: 0 NaN, 2400 infinite, 0 of negative "
                                       "luminance; nothing was written\n"));

@@ -178,7 +178,7 @@ TEST_F(RenderState, RefusesStatesOfOtherRenders) {
     ASSERT_EQ(render({"-o", file("a.film.exr")}).exit_code, 0);
     const std::string before = read_text(file("a.film.exr"));
     expect_refused({"--seed", "1"}, "seed=1");
-    expect_refused({"--wavelengths", "8"}, "wavelengths=8");
+    expect_refused({"--model", "spectral:8"}, "model=spectral:8");
     expect_refused({"--resolution", "48x33"}, "33");
     expect_refused({"--crop", "0,0,8,8"}, "crop");
     expect_refused({"--filter", "box"}, "box");

@@ -36,8 +36,8 @@ TEST(Usage, NamesTheOptionWhatWasFoundAndWhatWasExpected) {
                    "--threads: found \"2000\", expected a whole number from 0 to 1024");
     expect_refused({"render", "x", "--spp", "010"}, "--spp: found \"010\", expected a whole number from 1 to 16777216");
     expect_refused({"info", "x", "--threads", "-1"}, "--threads: found \"-1\", expected a whole number from 0 to 1024");
-    expect_refused({"render", "x", "--wavelengths", "3"},
-                   "--wavelengths: found \"3\", expected one of 1, 2, 4, 8, 16, 32");
+    expect_refused({"render", "x", "--model", "spectral:3"},
+                   "--model: transport model spectral: wavelengths 3: must be one of 1, 2, 4, 8, 16, 32");
     expect_refused({"render", "x", "--seed", "-1"},
                    "--seed: found \"-1\", expected a whole number from 0 to 18446744073709551615");
     expect_refused({"render", "x", "--checkpoint", "0"},

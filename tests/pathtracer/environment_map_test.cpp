@@ -10,6 +10,7 @@
 #include "analytic_scenes.h"
 #include "core/random.h"
 #include "pathtracer/equal_area.h"
+#include "pathtracer/model_channels.h"
 #include "pathtracer/scene_transform.h"
 #include "support/chi_square.h"
 
@@ -157,12 +158,13 @@ TEST(EnvironmentMap, ColoursAreThoseOfTheTexelInTheDirection) {
     const std::vector<RGB> texels = varied_texels();
     const SigmoidTable table(rgb_space("sRGB"));
     for (const Imath::M44d& world_from_light : {Imath::M44d(), kTurned, kMirrored}) {
-        const EnvironmentMap map(light_of(4, texels, world_from_light));
+        EnvironmentMap map(light_of(4, texels, world_from_light));
+        map.prepare(rgb_channels("sRGB"), ConstantSpectrum{1.0});
         for (std::size_t i = 0; i < 16; ++i) {
             const std::size_t x = i % 4, y = i / 4;
             const Imath::V2d centre((static_cast<double>(x) + 0.5) / 4, (static_cast<double>(y) + 0.5) / 4);
             const Imath::V3f direction(transform_vector(world_from_light, equal_area_direction(centre)));
-            const auto rgb = map.colour(direction, RgbTransport::Index{});
+            const auto rgb = map.colour(direction, FixedIndex<3>{});
             EXPECT_EQ(rgb[0], texels[i].r);
             EXPECT_EQ(rgb[1], texels[i].g);
             EXPECT_EQ(rgb[2], texels[i].b);
@@ -184,10 +186,11 @@ TEST(EnvironmentMap, TheUpperHalfIsTheMiddleOfThePicture) {
     std::vector<RGB> texels(16 * 16, {0, 0, 0});
     texels[8 * 16 + 8] = {1, 0, 0};   // right and below the middle
     texels[8 * 16 + 15] = {0, 1, 0};  // the right edge
-    const EnvironmentMap map(light_of(16, texels));
-    EXPECT_EQ(map.colour(Imath::V3f(0.01f, 0.01f, 0.9999f).normalized(), RgbTransport::Index{})[0], 1.0f);
-    EXPECT_EQ(map.colour(Imath::V3f(1, 0.001f, 0.001f).normalized(), RgbTransport::Index{})[1], 1.0f);
-    EXPECT_EQ(map.colour(Imath::V3f(-0.01f, 0.01f, 0.9999f).normalized(), RgbTransport::Index{})[0], 0.0f);
+    EnvironmentMap map(light_of(16, texels));
+    map.prepare(rgb_channels("sRGB"), ConstantSpectrum{1.0});
+    EXPECT_EQ(map.colour(Imath::V3f(0.01f, 0.01f, 0.9999f).normalized(), FixedIndex<3>{})[0], 1.0f);
+    EXPECT_EQ(map.colour(Imath::V3f(1, 0.001f, 0.001f).normalized(), FixedIndex<3>{})[1], 1.0f);
+    EXPECT_EQ(map.colour(Imath::V3f(-0.01f, 0.01f, 0.9999f).normalized(), FixedIndex<3>{})[0], 0.0f);
 }
 
 TEST(EnvironmentMap, MeanLuminance) {

@@ -107,7 +107,7 @@ TEST(FurnaceFilm, PixelsHoldTheXyzOfTheRadiance) {
     for (const int wavelengths : {1, 4, 16}) {
         Film film({.width_px = kSize_px, .height_px = kSize_px});
         RenderProgress progress;
-        render(prepared, {.samples_per_pixel = 64, .seed = 7, .wavelengths = wavelengths, .threads = 1}, film,
+        render(prepared, {.samples_per_pixel = 64, .seed = 7, .model = SpectralModel{wavelengths}, .threads = 1}, film,
                progress);
         double sum = 0.0, sum_of_squares = 0.0, count = 0.0;
         const Image<XYZ> picture = film.xyz_image();

@@ -51,7 +51,7 @@ Image<XYZ> picture_of(const std::string& text, std::uint64_t seed) {
     Film film(film_options(scene));
     const PreparedScene prepared(scene, 1);
     RenderProgress progress;
-    render(prepared, {.samples_per_pixel = 16, .seed = seed, .wavelengths = 4, .threads = 1}, film, progress);
+    render(prepared, {.samples_per_pixel = 16, .seed = seed, .threads = 1}, film, progress);
     return film.xyz_image();
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic_scenes.h"
+#include "pathtracer/model_channels.h"
 
 namespace emulsion {
 namespace {
@@ -37,7 +38,10 @@ SampledSpectrum<Transport::kChannels> reflectance(const std::vector<ReflectanceT
                                                   const TexturePoint& point, const typename Transport::Index& index,
                                                   const std::vector<FloatTexture>& numbers = {}) {
     SpectrumTables spectra;
-    const PreparedTextures prepared(numbers, textures, spectra);
+    PreparedTextures prepared(numbers, textures, spectra);
+    const FixedChannels srgb = rgb_channels("sRGB");
+    spectra.prepare(srgb);
+    prepared.prepare(srgb);
     return prepared.reflectance({static_cast<int>(textures.size()) - 1}, point, index);
 }
 SampledSpectrum<4> reflectance(const std::vector<ReflectanceTexture>& textures, const TexturePoint& point,
@@ -149,7 +153,7 @@ TEST(PreparedTextures, TexelsAreMixedAsColours) {
 
 TEST(PreparedTextures, ColourTransportTakesColours) {
     const ImageTexture<RGB> texture{image_of<RGB>(1, 1, {{0.8f, 0.3f, 1.5f}}), UvMapping{}};
-    const auto rgb = reflectance<RgbTransport>({texture}, at_uv(0, 0), {});
+    const auto rgb = reflectance<FixedTransport<3>>({texture}, at_uv(0, 0), {});
     EXPECT_FLOAT_EQ(rgb[0], 0.8f);
     EXPECT_FLOAT_EQ(rgb[1], 0.3f);
     EXPECT_FLOAT_EQ(rgb[2], 1.0f);

@@ -130,7 +130,7 @@ TEST(Render, LensesBlurWhatIsOutOfFocus) {
 TEST(Render, RefusesOptionsOutOfRange) {
     for (const RenderOptions& options :
          {RenderOptions{.samples_per_pixel = 0}, RenderOptions{.samples_per_pixel = (1 << 24) + 1},
-          RenderOptions{.wavelengths = 3}, RenderOptions{.threads = -1}}) {
+          RenderOptions{.model = SpectralModel{3}}, RenderOptions{.threads = -1}}) {
         EXPECT_THROW(validate(options), std::invalid_argument);
     }
 }

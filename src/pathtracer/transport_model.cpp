@@ -1,0 +1,127 @@
+#include "pathtracer/transport_model.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/name_key.h"
+#include "core/named_value.h"
+#include "spectrum/rgb_space.h"
+#include "spectrum/sampled_spectrum.h"
+
+namespace emulsion {
+
+namespace {
+
+constexpr std::string_view kStrategyKind = "wavelength strategy";
+
+constexpr Matrix3 kSharpFromXyz = {{{
+    {1.2694, -0.0988, -0.1706},
+    {-0.8364, 1.8006, 0.0357},
+    {0.0297, -0.0315, 1.0018},
+}}};
+
+bool is_sharp(std::string_view space) { return name_key(space) == name_key(kSharpChannels); }
+
+/// The text up to the first colon, and what is behind it; nothing if there is none.
+std::pair<std::string_view, std::string_view> split(std::string_view text) noexcept {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos) return {text, {}};
+    return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+[[noreturn]] void refuse(std::string_view text, std::string_view expected) {
+    throw std::invalid_argument(fmt::format("transport model: found \"{}\", expected {}", text, expected));
+}
+
+int parsed_int(std::string_view text, std::string_view what) {
+    int value = 0;
+    parse_number(text, what, value);
+    return value;
+}
+
+SpectralModel parse_spectral(std::string_view text) {
+    SpectralModel model;
+    const auto [count, strategy] = split(text);
+    if (!count.empty()) model.wavelengths = parsed_int(count, "transport model spectral: wavelengths");
+    if (!strategy.empty()) model.strategy = parse_named<WavelengthStrategy>(strategy, kStrategyKind);
+    return model;
+}
+
+void check(const SpectralModel& model) {
+    if (std::find(kWavelengthCounts.begin(), kWavelengthCounts.end(), model.wavelengths) == kWavelengthCounts.end()) {
+        throw std::invalid_argument(fmt::format("transport model spectral: wavelengths {}: must be one of {}",
+                                                model.wavelengths, fmt::join(kWavelengthCounts, ", ")));
+    }
+    validate_named(model.strategy, kStrategyKind);
+}
+void check(const RgbModel& model) { static_cast<void>(channel_space_from_xyz(model.space)); }
+void check(const PrefilteredRgbModel& /*model*/) {}
+void check(const BasisModel& model) {
+    if (model.functions >= kFewestBasisFunctions && model.functions <= kMostBasisFunctions) return;
+    throw std::invalid_argument(fmt::format("transport model basis: functions {}: must be in [{}, {}]", model.functions,
+                                            kFewestBasisFunctions, kMostBasisFunctions));
+}
+
+std::string text_of(const SpectralModel& model) {
+    const std::string count = fmt::format("{}:{}", SpectralModel::kName, model.wavelengths);
+    if (model.strategy == WavelengthStrategy{}) return count;
+    return fmt::format("{}:{}", count, to_text(model.strategy));
+}
+std::string text_of(const RgbModel& model) { return fmt::format("{}:{}", RgbModel::kName, model.space); }
+std::string text_of(const PrefilteredRgbModel& /*model*/) { return std::string(PrefilteredRgbModel::kName); }
+std::string text_of(const BasisModel& model) { return fmt::format("{}:{}", BasisModel::kName, model.functions); }
+
+}  // namespace
+
+std::string to_text(const TransportModel& model) {
+    return std::visit([](const auto& m) { return text_of(m); }, model);
+}
+
+TransportModel parse_transport_model(std::string_view text) {
+    const auto [name, rest] = split(text);
+    TransportModel model;
+    if (name == SpectralModel::kName) {
+        model = parse_spectral(rest);
+    } else if (name == RgbModel::kName) {
+        RgbModel rgb;
+        if (!rest.empty()) rgb.space = is_sharp(rest) ? std::string(kSharpChannels) : rgb_space(rest).name;
+        model = rgb;
+    } else if (name == PrefilteredRgbModel::kName) {
+        if (!rest.empty()) refuse(text, "\"rgb-prefiltered\" alone");
+        model = PrefilteredRgbModel{};
+    } else if (name == BasisModel::kName) {
+        BasisModel basis;
+        if (!rest.empty()) basis.functions = parsed_int(rest, "transport model basis: functions");
+        model = basis;
+    } else {
+        refuse(text, "spectral:N[:STRATEGY], rgb[:SPACE], rgb-prefiltered or basis:K");
+    }
+    validate(model);
+    return model;
+}
+
+void validate(const TransportModel& model) {
+    std::visit([](const auto& m) { check(m); }, model);
+}
+
+std::vector<TransportModelDescription> describe_transport_models() {
+    std::vector<std::string_view> strategies;
+    for_each_alternative<WavelengthStrategy>([&](auto strategy) { strategies.push_back(decltype(strategy)::kName); });
+    return {
+        {"rgb[:SPACE]", "three channels of a linear RGB space (`emulsion color list spaces`, or sharp) [space: sRGB]"},
+        {"rgb-prefiltered", "three sharp channels, surfaces as they look in the scene's light"},
+        {"basis:K", fmt::format("K functions fitted to the scene's spectra, {} to {} [K: {}]", kFewestBasisFunctions,
+                                kMostBasisFunctions, BasisModel{}.functions)},
+        {"spectral:N[:STRATEGY]", fmt::format("N wavelengths to a path, one of {} [N: {}], drawn by {} [strategy: {}]",
+                                              fmt::join(kWavelengthCounts, ", "), SpectralModel{}.wavelengths,
+                                              fmt::join(strategies, ", "), strategies.front())}};
+}
+
+Matrix3 channel_space_from_xyz(std::string_view name) {
+    return is_sharp(name) ? kSharpFromXyz : rgb_from_xyz(rgb_space(name));
+}
+
+}  // namespace emulsion
