@@ -110,7 +110,8 @@ void add_scene_options(CLI::App& command, SceneRenderSettings& settings) {
 void check_settings(const CompareSettings& settings) {
     for (const auto& [name, input] : {std::pair("A", &settings.a), std::pair("B", &settings.b)}) {
         const std::string flag = name == std::string("A") ? "--a-again" : "--b-again";
-        require_distinct({{name, file_of(input->text)}, {flag, input->again}, {"--map", settings.map}});
+        const std::filesystem::path file = parse_for(name, [&] { return file_of(input->text); });
+        require_distinct({{name, file}, {flag, input->again}, {"--map", settings.map}});
         if (!input->again.empty() && parse_scene_with_model(input->text)) {
             throw CLI::ValidationError(flag, "is for pictures in files: scenes are rendered twice anyway");
         }
@@ -125,9 +126,11 @@ void check_settings(const CompareSettings& settings) {
 
 void add_compare_options(CLI::App& command, CompareSettings& settings) {
     command
-        .add_option("A", settings.a.text,
-                    "The reference, which says what white is: an EXR with X Y Z or R G B (film state, film picture or "
-                    "any other), PNG, PFM or Radiance picture; or SCENE.pbrt@MODEL, to be rendered")
+        .add_option(
+            "A", settings.a.text,
+            "The reference, which says what white is: an EXR with X Y Z or R G B (film state, film picture or "
+            "any other), PNG, PFM or Radiance picture; or SCENE.pbrt@MODEL, to be rendered by a model of transport, "
+            "as of `render --model`")
         ->required()
         ->option_text(" ");
     command.add_option("B", settings.b.text, "What is compared with it, likewise")->required()->option_text(" ");

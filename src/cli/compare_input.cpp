@@ -3,37 +3,21 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
-#include <string_view>
 #include <tuple>
 
 #include "cli/file_names.h"
 #include "cli/messages.h"
-#include "cli/number_list.h"
-#include "cli/option_checks.h"
 #include "develop/picture_file.h"
 #include "film/film.h"
 #include "film/sensor_options.h"
 #include "pathtracer/prepared_scene.h"
+#include "pathtracer/render.h"
 #include "pathtracer/sample_sequence.h"
 #include "pathtracer/scene_parser.h"
 
 namespace emulsion::cli {
 
 namespace {
-
-/// "rgb", or "spectral:N".
-void choose_model(const std::string& model, RenderOptions& options) {
-    constexpr std::string_view kSpectral = "spectral:";
-    const bool is_spectral = model.starts_with(kSpectral);
-    const std::string count = is_spectral ? model.substr(kSpectral.size()) : "";
-    if (model == "rgb") {
-        options.transport = TransportKind::rgb;
-    } else if (is_spectral && is_wavelength_count(count).empty()) {
-        options.wavelengths = *number_of<int>(count);
-    } else {
-        throw std::invalid_argument("model: " + found_expected(model, "rgb or spectral:N, N one of 1, 2, 4, 8, 16"));
-    }
-}
 
 ComparedPicture render_half(const PreparedScene& scene, const FilmOptions& film_options, const RenderOptions& options) {
     Film film(film_options);
@@ -52,7 +36,7 @@ ComparedPicture render_half(const PreparedScene& scene, const FilmOptions& film_
 ComparedPicture render_scene(const SceneWithModel& input, CompareSide side, const SceneRenderSettings& settings) {
     RenderOptions options;
     options.threads = settings.threads;
-    choose_model(input.model, options);
+    options.model = input.model;
     Scene scene = read_scene(input.scene);
     for (const std::string& warning : scene.warnings) print_warning(warning);
     if (settings.resolution_px) std::tie(scene.film.width_px, scene.film.height_px) = *settings.resolution_px;
@@ -60,7 +44,7 @@ ComparedPicture render_scene(const SceneWithModel& input, CompareSide side, cons
     const int samples = settings.samples_per_pixel.value_or(samples_per_pixel(scene.sampler));
     if (samples < 2) throw std::invalid_argument("1 sample per pixel: expected 2 or more, to tell noise from bias");
 
-    const PreparedScene prepared(std::move(scene), options.threads);
+    const PreparedScene prepared(std::move(scene), options.threads, options.model);
     const std::array<int, 2> shares = {samples - samples / 2, samples / 2};
     std::array<ComparedPicture, 2> halves;
     for (std::size_t i = 0; i < halves.size(); ++i) {
@@ -80,7 +64,7 @@ std::optional<SceneWithModel> parse_scene_with_model(const std::string& text) {
     const bool is_scene =
         has_extension(scene, ".pbrt") || (has_extension(scene, ".gz") && has_extension(scene.stem(), ".pbrt"));
     if (!is_scene) return std::nullopt;
-    return SceneWithModel{scene, text.substr(at + 1)};
+    return SceneWithModel{scene, parse_transport_model(text.substr(at + 1))};
 }
 
 std::filesystem::path file_of(const std::string& text) {

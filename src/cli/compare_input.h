@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "compare/compared_picture.h"
-#include "pathtracer/render.h"
+#include "pathtracer/transport_model.h"
 
 namespace emulsion::cli {
 
@@ -23,13 +23,14 @@ struct SceneRenderSettings {
 /// SCENE.pbrt@MODEL
 struct SceneWithModel {
     std::filesystem::path scene;
-    std::string model;
+    TransportModel model;
 };
 
 /// If the text is one: what precedes the last @ ends in .pbrt, or in .pbrt.gz.
+/// \throws std::invalid_argument as parse_transport_model().
 [[nodiscard]] std::optional<SceneWithModel> parse_scene_with_model(const std::string& text);
 
-/// The file that A or B names.
+/// The file that A or B names. \throws as parse_scene_with_model().
 [[nodiscard]] std::filesystem::path file_of(const std::string& text);
 
 /// Which of the two; their noise must be independent.
@@ -45,7 +46,8 @@ struct CompareInput {
 /// they are apart tells its noise, whatever the sampler (mean_of()). A scene is always rendered twice, with half of the
 /// samples and another seed each. The four seeds of A and B are those of no film that anybody has rendered with a seed
 /// below 2^32.
-/// \throws IoError, SceneError, and std::invalid_argument for an unknown model or two pictures that don't go together.
+/// \throws IoError, SceneError, and std::invalid_argument for an unknown model, or one that the scene
+/// can't have, and for two pictures that don't go together.
 [[nodiscard]] ComparedPicture compare_input(const CompareInput& input, CompareSide side,
                                             const SceneRenderSettings& settings);
 

@@ -7,6 +7,8 @@
 
 #include "compare/compare.h"
 #include "core/random.h"
+#include "film/film.h"
+#include "film/film_layers.h"
 #include "spectrum/observer.h"
 #include "spectrum/viewing_conditions.h"
 
@@ -42,6 +44,26 @@ inline ComparedPicture random_picture(int width, int height, std::uint64_t seed)
         pixel = {luminance * (0.5f + random.next_float()), luminance, luminance * (0.2f + random.next_float())};
     }
     return whole(std::move(image));
+}
+
+/// A film of samples that are exponentially distributed about a grey of 30 cd/m^2 (variances 900), and of a bias.
+inline ComparedPicture noisy_film(std::uint64_t seed, float bias, FilmVariance variance, int samples) {
+    Film film({.width_px = 200, .height_px = 150, .variance = variance});
+    FilmTile tile = film.make_tile(film.bounds());
+    Pcg32 random(seed);
+    const XYZ white = narrowed(d65());
+    for (int y = 0; y < 150; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            for (int i = 0; i < samples; ++i) {
+                const float luminance = bias - 30.0f * std::log(1.0f - random.next_float());
+                tile.add(x, y, luminance * white, 1.0f);
+            }
+        }
+    }
+    film.merge(tile);
+    FilmImage image;
+    static_cast<FilmPicture&>(image) = picture_of(film);
+    return compared_picture(std::move(image));
 }
 
 }  // namespace emulsion
