@@ -66,7 +66,13 @@ void PreparedScene::prepare_for(const TransportModel& model) {
         wavelengths_ = prepare(spectral->strategy, importance());
         return;
     }
-    channels_ = channels_of(model, scene_spectra());
+    prepare_for(*channels_of(model, scene_spectra()));
+    model_ = model;
+}
+
+void PreparedScene::prepare_for(FixedChannels channels) {
+    model_.reset();
+    channels_ = std::move(channels);
     spectra_.prepare(*channels_);
     materials_->prepare(*channels_);
     for (const Emitter& emitter : emitters_) {

@@ -29,6 +29,8 @@ class PreparedScene {
     /// Prepares its spectra for another model; the rest stays.
     /// \throws std::invalid_argument as validate(TransportModel) does.
     void prepare_for(const TransportModel& model);
+    /// Prepares its spectra for paths of these channels, which are of no model.
+    void prepare_for(FixedChannels channels);
     /// Whether it is: for the last model that it was prepared for, and for wavelengths drawn without knowing the scene.
     [[nodiscard]] bool is_prepared_for(const TransportModel& model) const noexcept;
     /// Of the last model that it was prepared for, unless that is a spectral one.
@@ -68,7 +70,7 @@ class PreparedScene {
     [[nodiscard]] WavelengthImportance importance() const;
 
     Scene scene_;
-    TransportModel model_;
+    std::optional<TransportModel> model_;
     std::optional<FixedChannels> channels_;
     WavelengthSampler wavelengths_;
     std::unique_ptr<Accelerator> accelerator_;
