@@ -48,22 +48,26 @@ std::vector<std::size_t> band_ends(const Nodes& light, const Nodes& eye) {
     return ends;
 }
 
+/// Its number is X + Y + Z of what lies within: what is lost is where in the band that is.
 FixedChannel band(const Nodes& light, const Nodes& eye, std::size_t begin, std::size_t end) {
     FixedChannel channel;
     channel.light.assign(kWholeNanometres, 0.0);
-    Nodes within(kWholeNanometres, 0.0), seen(kWholeNanometres, 0.0);
-    double power = 0.0;
-    for (std::size_t n = begin; n < end; ++n) power += light[n];
+    Nodes seen(kWholeNanometres, 0.0);
     for (std::size_t n = begin; n < end; ++n) {
-        channel.light[n] = kLuminousEfficacy;
-        within[n] = power > 0.0 ? light[n] / power : 1.0 / static_cast<double>(end - begin);
-        seen[n] = within[n] * eye[n];
-        const XYZd xyz = eval(cie_1931_2deg(), kMinWavelength_nm + static_cast<double>(n));
-        channel.xyz[0] += within[n] * xyz.x;
-        channel.xyz[1] += within[n] * xyz.y;
-        channel.xyz[2] += within[n] * xyz.z;
+        channel.light[n] = kLuminousEfficacy * eye[n];
+        seen[n] = light[n] * eye[n];
+    }
+    if (!(std::accumulate(seen.begin(), seen.end(), 0.0) > 0.0)) {
+        for (std::size_t n = begin; n < end; ++n) seen[n] = eye[n];
     }
     channel.reflectance = normalised_weights(std::move(seen));
+    for (std::size_t n = begin; n < end; ++n) {
+        const XYZd xyz = eval(cie_1931_2deg(), kMinWavelength_nm + static_cast<double>(n));
+        const double share = channel.reflectance[n] / eye[n];
+        channel.xyz[0] += share * xyz.x;
+        channel.xyz[1] += share * xyz.y;
+        channel.xyz[2] += share * xyz.z;
+    }
     return channel;
 }
 

@@ -18,7 +18,7 @@ struct PilotChannels {
         std::size_t first = 0, count = 0;
     };
     FixedChannels all;                    ///< kMostFixedChannels of them
-    Part bands;                           ///< of wavelengths
+    Part bands;                           ///< of wavelengths, each X + Y + Z of what lies in it
     std::vector<double> band_end_nm;      ///< of each band; the first begins at the end of the visible
     std::vector<Part> models;             ///< of each model that was asked for
     std::size_t control = 0, marked = 0;  ///< two copies of ybar; the second loses what disperses

@@ -17,6 +17,12 @@ namespace {
 /// Draws that the mean is taken over.
 constexpr int kDraws = 32;
 
+/// xbar + ybar + zbar, which the bands count by.
+double eye_at(std::size_t node) {
+    const XYZd xyz = eval(cie_1931_2deg(), kMinWavelength_nm + static_cast<double>(node));
+    return xyz.x + xyz.y + xyz.z;
+}
+
 /// The pixel's radiance at whole nanometres, in lm/W times what the film has: its sum with the observer is XYZ.
 std::vector<double> radiance_of(const PilotChannels& channels, const ChannelValues& pixel,
                                 std::span<const double> light) {
@@ -24,11 +30,11 @@ std::vector<double> radiance_of(const PilotChannels& channels, const ChannelValu
     std::size_t begin = 0;
     for (std::size_t band = 0; band < channels.bands.count; ++band) {
         const auto end = static_cast<std::size_t>(channels.band_end_nm[band] - kMinWavelength_nm);
-        double power = 0.0;
-        for (std::size_t n = begin; n < end; ++n) power += light[n];
+        double seen = 0.0;
+        for (std::size_t n = begin; n < end; ++n) seen += light[n] * eye_at(n);
         for (std::size_t n = begin; n < end; ++n) {
-            const double share = power > 0.0 ? light[n] / power : 1.0 / static_cast<double>(end - begin);
-            radiance[n] = pixel[channels.bands.first + band] * share;
+            const double per_seen = seen > 0.0 ? light[n] / seen : 1.0 / (eye_at(n) * static_cast<double>(end - begin));
+            radiance[n] = pixel[channels.bands.first + band] * per_seen;
         }
         begin = end;
     }
