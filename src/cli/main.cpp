@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 
+#include "cli/analyze_command.h"
 #include "cli/color_command.h"
 #include "cli/develop_command.h"
 #include "cli/help_formatter.h"
@@ -20,6 +21,7 @@
 
 namespace {
 
+using emulsion::cli::AnalyzeCommand;
 using emulsion::cli::ColorCommand, emulsion::cli::DevelopCommand, emulsion::cli::InfoCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
@@ -68,6 +70,7 @@ int run(int argc, char** argv) {
     const DevelopCommand develop(program);
     const MergeCommand merge(program);
     const InfoCommand info(program);
+    const AnalyzeCommand analyze(program);
     const ColorCommand color(program);
     try {
         program.parse(argc, argv);
@@ -77,6 +80,7 @@ int run(int argc, char** argv) {
         print_error(usage_error_text(program, error));
         return kBadUsage;
     }
+    if (analyze.chosen()) return analyze.run();
     if (color.chosen()) return color.run();
     if (info.chosen()) return info.run();
     if (merge.chosen()) return merge.run(command_line_text(argc, argv));
