@@ -9,9 +9,9 @@
 #include <Imath/ImathVec.h>
 
 #include "pathtracer/scene_light.h"
+#include "pathtracer/texel_colours.h"
 #include "pathtracer/texel_distribution.h"
 #include "pathtracer/transport.h"
-#include "spectrum/sigmoid_table.h"
 
 namespace emulsion {
 
@@ -41,10 +41,10 @@ class EnvironmentMap {
     std::shared_ptr<const Image<RGB>> texels_;
     Imath::M33d light_from_world_, world_from_light_;
     TexelDistribution distribution_;
-    SigmoidTable sigmoids_;
+    TexelColours colours_;
 };
 
 /// The luminance that the mean texel gives an illuminant of luminance 1.
-[[nodiscard]] double mean_luminance(const Image<RGB>& texels);
+[[nodiscard]] double mean_luminance(const Image<RGB>& texels, ColorSpace space);
 
 }  // namespace emulsion

@@ -1,6 +1,7 @@
 #pragma once
 // A scene's textures, made ready to be looked up while rendering: nothing is allocated, nothing throws.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,10 +10,10 @@
 
 #include "pathtracer/scene_texture.h"
 #include "pathtracer/spectrum_tables.h"
+#include "pathtracer/texel_colours.h"
 #include "pathtracer/texture_point.h"
 #include "pathtracer/transport.h"
 #include "spectrum/sampled_spectrum.h"
-#include "spectrum/sigmoid_table.h"
 
 namespace emulsion {
 
@@ -58,7 +59,7 @@ class PreparedTextures {
     template <class Operand>
     struct Checkerboard {
         Operand first, second;
-        TextureMapping mapping;
+        std::variant<TextureMapping, SolidTextureMapping> mapping;
     };
     template <class Operand, class Texel>
     using Node = std::variant<Scale<Operand>, Mix<Operand>, Checkerboard<Operand>, ImageTexture<Texel>>;
@@ -76,7 +77,8 @@ class PreparedTextures {
     std::vector<Node<NumberOperand, float>> numbers_;
     std::vector<Node<ReflectanceOperand, RGB>> reflectances_;
     const SpectrumTables& spectra_;
-    std::optional<SigmoidTable> sigmoids_;  // of sRGB; if there are images of reflectances
+    // By ColorSpace, of those that images of reflectances have.
+    std::array<std::optional<TexelColours>, kColorSpaces> colours_;
 };
 
 }  // namespace emulsion

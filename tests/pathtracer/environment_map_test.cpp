@@ -193,9 +193,9 @@ TEST(EnvironmentMap, TheUpperHalfIsTheMiddleOfThePicture) {
 TEST(EnvironmentMap, MeanLuminance) {
     // Luminances of the primaries of sRGB: IEC 61966-2-1.
     const ImageInfiniteLight light = light_of(2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 2, 2}});
-    EXPECT_NEAR(mean_luminance(*light.texels), (1.0 + 2.0) / 4.0, 1e-6);
+    EXPECT_NEAR(mean_luminance(*light.texels, light.space), (1.0 + 2.0) / 4.0, 1e-6);
     const ImageInfiniteLight green = light_of(1, {{0, 1, 0}});
-    EXPECT_NEAR(mean_luminance(*green.texels), 0.7152, 1e-4);
+    EXPECT_NEAR(mean_luminance(*green.texels, green.space), 0.7152, 1e-4);
 }
 
 // --- In a scene
