@@ -24,7 +24,7 @@ class ByteCodes {
         for (std::size_t i = 0; i < end_.size(); ++i) end_[i] = decoded(static_cast<double>(i) + 0.5);
     }
     [[nodiscard]] float rounded(float linear) const noexcept {
-        const auto end = std::upper_bound(end_.begin(), end_.end(), linear);
+        const auto* const end = std::upper_bound(end_.begin(), end_.end(), linear);
         return value_[static_cast<std::size_t>(end - end_.begin())];
     }
     [[nodiscard]] RGB rounded(const RGB& linear) const noexcept {

@@ -102,8 +102,9 @@ TEST(SceneOptions, CropsAreCutOffAtTheFrameAsInPbrt) {
 TEST(SceneOptions, AShutterThatClosesFirstIsTakenTheOtherWayRoundAsInPbrt) {
     const Scene scene = parse_options(R"(Camera "perspective" "float shutteropen" 2 "float shutterclose" 1.75)");
     EXPECT_EQ(scene.film.sensor.exposure_time_s, 0.25);
-    EXPECT_THAT(scene.warnings, ::testing::Contains("t.pbrt:1:8: the shutter closes before it opens: taken the other way "
-                                                    "round"));
+    EXPECT_THAT(scene.warnings,
+                ::testing::Contains("t.pbrt:1:8: the shutter closes before it opens: taken the other way "
+                                    "round"));
 }
 
 TEST(SceneOptions, AFilmOfGeometryIsTakenForItsPicture) {
