@@ -179,6 +179,19 @@ TEST(EnvironmentMap, ColoursAreThoseOfTheTexelInTheDirection) {
     }
 }
 
+TEST(EnvironmentMap, ColoursAreThoseOfThePicturesSpace) {
+    const RGB texel{0.5f, 2.0f, 0.25f};
+    ImageInfiniteLight light = light_of(1, {texel});
+    light.space = ColorSpace::rec2020;
+    const std::array<float, 4> lambda_nm = {420.0f, 500.0f, 560.5f, 640.0f};
+    const SpectrumTableIndex<4> index(lambda_nm);
+    const ScaledSigmoid expected = SigmoidTable(rgb_space("Rec2020")).unbounded(texel);
+    const SampledSpectrum<4> found = EnvironmentMap(light).colour({0, 0, 1}, index);
+    const SampledSpectrum<4> of_sigmoid = eval<4>(expected.sigmoid, lambda_nm);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], of_sigmoid[i] * expected.scale, 1e-5f) << i;
+    EXPECT_NEAR(mean_luminance(*light.texels, light.space), 0.2627 * 0.5 + 0.6780 * 2.0 + 0.0593 * 0.25, 1e-4);
+}
+
 TEST(EnvironmentMap, TheUpperHalfIsTheMiddleOfThePicture) {
     // pbrt-v4's orientation: z up in the middle, x to the right, y down the rows.
     std::vector<RGB> texels(16 * 16, {0, 0, 0});
