@@ -174,9 +174,9 @@ TEST(PreparedTextures, TexelsAreColoursOfTheirSpace) {
         const ImageTexture<RGB> srgb{image_of<RGB>(1, 1, {rgb}), UvMapping{}};
         expect_near(reflectance({srgb, in_space(rgb)}, at_uv(0, 0)), sigmoid_of(table.reflectance(rgb)), 2e-5);
 
-        const auto white = reflectance<RgbTransport>({in_space({1, 1, 1})}, at_uv(0, 0), {});
+        const auto white = reflectance<FixedTransport<3>>({in_space({1, 1, 1})}, at_uv(0, 0), {});
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1.0f, 1e-6f);
-        const auto colour = reflectance<RgbTransport>({in_space({0.5f, 0.25f, 0.25f})}, at_uv(0, 0), {});
+        const auto colour = reflectance<FixedTransport<3>>({in_space({0.5f, 0.25f, 0.25f})}, at_uv(0, 0), {});
         EXPECT_GT(colour[0], 0.52f) << "its red is beyond that of sRGB";
         EXPECT_LT(colour[1], 0.25f);
     }
