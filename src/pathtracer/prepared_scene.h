@@ -73,7 +73,7 @@ class PreparedScene {
                                                                     const Hit& hit) noexcept {
     const TriangleMesh* const mesh = scene.shape(hit.shape).mesh;
     if (mesh == nullptr || hit.instance != Hit::kNone) return surface_point_elsewhere(scene, ray, hit);
-    return surface_point(*mesh, TriangleGeometry(*mesh, hit.primitive), hit);
+    return surface_point(*mesh, hit);
 }
 
 }  // namespace emulsion
