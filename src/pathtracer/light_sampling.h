@@ -38,7 +38,7 @@ void PathIntegrator<Transport>::sample_light(PathT& path, std::uint32_t path_ind
     if (!(bsdf.pdf > 0.0f)) return;
 
     // Lights without extent are found in this way alone; the others also by chance, and share the weight:
-    // power_heuristic(pdf, bsdf.pdf) / pdf, in one division.
+    // power_heuristic(pdf, bsdf.pdf) / pdf, in fewer divisions.
     const float selection = emitter.selection_probability;
     const float pdf = selection * light.pdf, ratio = bsdf.pdf / pdf;
     const float weighted = light.pdf > 0.0f ? pdf * (1.0f + ratio * ratio) : selection;

@@ -20,9 +20,9 @@ namespace emulsion {
 class PreparedScene {
   public:
     /// Takes the scene over. `threads` as in parallel_for; renders of the scene use no more of them than this, since
-    /// Embree keeps oneTBB to that number while it holds the scene.
+    /// Embree keeps oneTBB to that number while it holds the scene. `many_triangles` is Accelerator's.
     /// \throws std::invalid_argument naming what is out of range; std::runtime_error if Embree fails.
-    PreparedScene(Scene scene, int threads);
+    PreparedScene(Scene scene, int threads, std::size_t many_triangles = kManyTriangles);
 
     /// What shading needs to know of one shape of the scene.
     struct PreparedShape {
