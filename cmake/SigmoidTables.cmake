@@ -1,5 +1,5 @@
 # Solves for the tables of src/spectrum/sigmoid_table.h and compiles them into a library of their own, which `target`
-# needs: emulsion_sigmoid_tables(emulsion_spectrum). It takes some ten seconds of one core.
+# needs: emulsion_sigmoid_tables(emulsion_spectrum). It takes less than half a minute of one core.
 #
 # In two steps, so that the solving is done again only when its input or its few sources change. The solver is always
 # built optimised and without sanitizers, under which it would take minutes.

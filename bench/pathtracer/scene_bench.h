@@ -38,7 +38,7 @@ class SceneBench {
     [[nodiscard]] PreparedScene& prepared() { return prepared_; }
 
     /// Renders once; the mean luminance tells that it was the picture.
-    double render_once(const RenderOptions& options) const {
+    [[nodiscard]] double render_once(const RenderOptions& options) const {
         Film film(film_options(prepared_.scene()));
         RenderProgress progress;
         render(prepared_, options, film, progress);
@@ -58,7 +58,7 @@ class SceneBench {
     [[nodiscard]] RayLog record_rays() {
         RayLog log;
         prepared_.accelerator().record(&log);
-        render_once(kOneSample);
+        benchmark::DoNotOptimize(render_once(kOneSample));
         prepared_.accelerator().record(nullptr);
         return log;
     }

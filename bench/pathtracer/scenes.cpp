@@ -47,7 +47,7 @@ void render_scene(benchmark::State& state, const fs::path& file) {
     state.counters["scaling"] = one_s / two_s;
     state.counters["best_scaling"] = best_one_s / best_two_s;
     for (const PbrtSpeed& pbrt : kPbrt) {
-        if (file.stem() != pbrt.scene) continue;
+        if (file.parent_path().filename() != "reference" || file.stem() != pbrt.scene) continue;
         state.counters["times_pbrt_1_thread"] = samples / best_one_s / pbrt.one_thread;
         state.counters["times_pbrt_2_threads"] = samples / best_two_s / pbrt.two_threads;
     }

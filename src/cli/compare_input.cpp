@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <tuple>
+#include <variant>
 
 #include "cli/file_names.h"
 #include "cli/messages.h"
@@ -36,7 +37,6 @@ ComparedPicture render_half(const PreparedScene& scene, const FilmOptions& film_
 ComparedPicture render_scene(const SceneWithModel& input, CompareSide side, const SceneRenderSettings& settings) {
     RenderOptions options;
     options.threads = settings.threads;
-    options.model = input.model;
     Scene scene = read_scene(input.scene);
     for (const std::string& warning : scene.warnings) print_warning(warning);
     if (settings.resolution_px) std::tie(scene.film.width_px, scene.film.height_px) = *settings.resolution_px;
@@ -44,7 +44,13 @@ ComparedPicture render_scene(const SceneWithModel& input, CompareSide side, cons
     const int samples = settings.samples_per_pixel.value_or(samples_per_pixel(scene.sampler));
     if (samples < 2) throw std::invalid_argument("1 sample per pixel: expected 2 or more, to tell noise from bias");
 
-    const PreparedScene prepared(std::move(scene), options.threads, options.model);
+    if (const auto* model = std::get_if<TransportModel>(&input.model)) options.model = *model;
+    PreparedScene prepared(std::move(scene), options.threads, options.model);
+    if (const auto* wish = std::get_if<AutoModel>(&input.model)) {
+        const ModelAnalysis analysis = analyse_models(prepared, wish->budget, {.threads = options.threads});
+        options.model = analysis.models[analysis.chosen].model;
+        print_progress(reasons(analysis) + "\n");
+    }
     const std::array<int, 2> shares = {samples - samples / 2, samples / 2};
     std::array<ComparedPicture, 2> halves;
     for (std::size_t i = 0; i < halves.size(); ++i) {
@@ -64,7 +70,7 @@ std::optional<SceneWithModel> parse_scene_with_model(const std::string& text) {
     const bool is_scene =
         has_extension(scene, ".pbrt") || (has_extension(scene, ".gz") && has_extension(scene.stem(), ".pbrt"));
     if (!is_scene) return std::nullopt;
-    return SceneWithModel{scene, parse_transport_model(text.substr(at + 1))};
+    return SceneWithModel{scene, parse_model_choice(text.substr(at + 1))};
 }
 
 std::filesystem::path file_of(const std::string& text) {

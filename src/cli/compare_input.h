@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "analysis/model_choice.h"
 #include "compare/compared_picture.h"
-#include "pathtracer/transport_model.h"
 
 namespace emulsion::cli {
 
@@ -23,11 +23,11 @@ struct SceneRenderSettings {
 /// SCENE.pbrt@MODEL
 struct SceneWithModel {
     std::filesystem::path scene;
-    TransportModel model;
+    ModelChoice model;
 };
 
 /// If the text is one: what precedes the last @ ends in .pbrt, or in .pbrt.gz.
-/// \throws std::invalid_argument as parse_transport_model().
+/// \throws std::invalid_argument as parse_model_choice().
 [[nodiscard]] std::optional<SceneWithModel> parse_scene_with_model(const std::string& text);
 
 /// The file that A or B names. \throws as parse_scene_with_model().

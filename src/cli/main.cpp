@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 
+#include "cli/analyze_command.h"
 #include "cli/color_command.h"
 #include "cli/compare_command.h"
 #include "cli/develop_command.h"
@@ -21,7 +22,8 @@
 
 namespace {
 
-using emulsion::cli::ColorCommand, emulsion::cli::CompareCommand, emulsion::cli::DevelopCommand;
+using emulsion::cli::AnalyzeCommand, emulsion::cli::ColorCommand, emulsion::cli::CompareCommand;
+using emulsion::cli::DevelopCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::InfoCommand, emulsion::cli::MergeCommand, emulsion::cli::RenderCommand;
 using emulsion::cli::kBadUsage, emulsion::cli::kDone, emulsion::cli::kFailed;
@@ -71,6 +73,7 @@ int run(int argc, char** argv) {
     const MergeCommand merge(program);
     const InfoCommand info(program);
     const CompareCommand compare(program);
+    const AnalyzeCommand analyze(program);
     const ColorCommand color(program);
     try {
         program.parse(argc, argv);
@@ -80,6 +83,7 @@ int run(int argc, char** argv) {
         print_error(usage_error_text(program, error));
         return kBadUsage;
     }
+    if (analyze.chosen()) return analyze.run();
     if (color.chosen()) return color.run();
     if (compare.chosen()) return compare.run();
     if (info.chosen()) return info.run();

@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analysis/model_analysis.h"
 #include "cli/checkpoints.h"
 #include "cli/distinct_files.h"
 #include "cli/file_names.h"
@@ -129,20 +132,32 @@ int RenderCommand::run(const std::string& command_line) const {
     Scene scene = read_scene(settings.scene);
     for (const std::string& warning : scene.warnings) print_warning(warning);
     apply(settings, scene);
-    const RenderOptions options = render_options(settings, scene);
+    RenderOptions options = render_options(settings, scene);
     const ExrOptions exr = exr_options(settings, scene);
+    const FilmOptions film_is = film_options(settings, scene);
     const OutputFiles files = output_files(settings, scene);
-    const FilmMetadata run{
-        .seed = options.seed, .renderer_version = "emulsion " EMULSION_VERSION, .command_line = command_line};
+
+    // What carries the light.
+    PreparedScene prepared(std::move(scene), options.threads, options.model);
+    std::string model = to_text(options.model);
+    if (const auto* wish = std::get_if<AutoModel>(&settings.model)) {
+        const ModelAnalysis analysis = analyse_models(prepared, wish->budget, {.threads = options.threads});
+        options.model = analysis.models[analysis.chosen].model;
+        model = reasons(analysis);
+        if (!settings.quiet) print_output(model + "\n");
+    }
+    const FilmMetadata run{.seed = options.seed,
+                           .renderer_version = "emulsion " EMULSION_VERSION,
+                           .command_line = command_line,
+                           .model = model};
 
     // The film, new or as it was left.
-    const RenderStart start{film_options(settings, scene), provenance_of(scene, options), samples_of(options)};
+    const RenderStart start{film_is, provenance_of(prepared.scene(), options), samples_of(options)};
     std::optional<FilmState> state = resumed_state(settings, start, files.output);
     Film film = state ? Film(start.film, std::move(state->contents)) : Film(start.film);
     FilmInProgress in_progress(film, state ? state->provenance : start.provenance);
     state.reset();
 
-    const PreparedScene prepared(std::move(scene), options.threads, options.model);
     const std::filesystem::path& state_file = files.state.empty() ? files.output : files.state;
     const auto write_state = [&] { write_film_state(state_file, state_of(in_progress, run), exr); };
     // Until the last file is written, Ctrl-C leaves no half of it behind.

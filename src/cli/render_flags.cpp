@@ -35,7 +35,10 @@ CLI::Option* add_parsed(CLI::App& command, const char* flag, Target& target, Par
 std::string model_help() {
     std::string help = fmt::format("How light is carried [default: {}]; one of", to_text(TransportModel{}));
     for (const auto& [form, text] : describe_transport_models()) help += fmt::format("\n  {}: {}", form, text);
-    return help;
+    return help + fmt::format(
+                      "\n  auto[:MEAN[,P99]]: the cheapest of them whose colour error is predicted within a mean and a "
+                      "99th percentile of CIEDE2000 [{:g},{:g}]",
+                      ErrorBudget{}.mean, ErrorBudget{}.p99);
 }
 
 void add_file_options(CLI::App& command, RenderSettings& settings) {
@@ -63,9 +66,7 @@ void add_sample_options(CLI::App& command, RenderSettings& settings) {
         ->option_text("N");
     add_parsed(
         command, "--model", settings.model,
-        [](const std::string& text) {
-            return parse_named_option("--model", [&] { return parse_transport_model(text); });
-        },
+        [](const std::string& text) { return parse_named_option("--model", [&] { return parse_model_choice(text); }); },
         model_help(), "MODEL");
     add_threads_option(command, settings.threads);
 }

@@ -39,6 +39,7 @@ void apply(const RenderSettings& settings, Scene& scene) {
         scene.film.pixel_bounds = settings.crop;
     }
     if (settings.filter) scene.filter = *settings.filter;
+    if (settings.spectrum) scene.film.spectrum = settings.spectrum;
     if (settings.observer) scene.film.sensor.observer = *settings.observer;
     if (settings.sensor) scene.film.sensor.camera = CameraSensor{read_camera_response(*settings.sensor)};
 }
@@ -47,7 +48,6 @@ FilmOptions film_options(const RenderSettings& settings, const Scene& scene) {
     FilmOptions options = emulsion::film_options(scene);
     options.filter_use = settings.filter_use;
     options.variance = settings.variance;
-    if (settings.spectrum) options.spectrum = settings.spectrum;  // else as the scene has it
     options.aux = settings.aux;
     options.firefly_control = settings.firefly_control;
     try {
@@ -62,7 +62,7 @@ RenderOptions render_options(const RenderSettings& settings, const Scene& scene)
     RenderOptions options;
     options.samples_per_pixel = settings.samples_per_pixel.value_or(samples_per_pixel(scene.sampler));
     options.seed = settings.seed.value_or(static_cast<std::uint64_t>(scene.sampler_seed));
-    options.model = settings.model;
+    if (const auto* model = std::get_if<TransportModel>(&settings.model)) options.model = *model;
     options.threads = settings.threads;
     if (!settings.shard) return options;
     options.samples = samples_of(*settings.shard, options.samples_per_pixel);

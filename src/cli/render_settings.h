@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/model_choice.h"
 #include "cli/exr_output_options.h"
 #include "core/image.h"
 #include "develop/pipeline.h"
@@ -48,7 +49,7 @@ struct RenderSettings {
     std::vector<AuxLayer> aux;
     FireflyControl firefly_control;
 
-    TransportModel model;
+    ModelChoice model;
     int threads = 0;
     std::optional<Shard> shard;
     std::optional<double> checkpoint_s;  ///< > 0

@@ -52,30 +52,32 @@ void note_other_parts(const Imf::MultiPartInputFile& file, int chosen, std::vect
 
 bool is_subsampled(const Imf::Channel& channel) { return channel.xSampling != 1 || channel.ySampling != 1; }
 
-void check_picture_channels(const Imf::ChannelList& channels, const ChannelNames& names) {
-    for (const char* name : names) {
-        const Imf::Channel& channel = channels[name];
-        if (channel.type == Imf::UINT) {
-            throw std::runtime_error(std::string("channel ") + name + " holds whole numbers, expected half or float");
-        }
-        if (is_subsampled(channel)) {
-            throw std::runtime_error(std::string("channel ") + name + " is subsampled, expected one value a pixel");
-        }
+void check_picture_channel(const std::string& name, const Imf::Channel& channel) {
+    if (channel.type == Imf::UINT) {
+        throw std::runtime_error("channel " + name + " holds whole numbers, expected half or float");
     }
+    if (is_subsampled(channel)) {
+        throw std::runtime_error("channel " + name + " is subsampled, expected one value a pixel");
+    }
+}
+
+void check_picture_channels(const Imf::ChannelList& channels, const ChannelNames& names) {
+    for (const char* name : names) check_picture_channel(name, channels[name]);
+}
+
+RgbSpace space_of_chromaticities(const Imf::Chromaticities& c) {
+    const auto point = [](const Imath::V2f& v) {
+        return Chromaticity{static_cast<double>(v.x), static_cast<double>(v.y)};
+    };
+    return RgbSpace{"chromaticities", point(c.red), point(c.green), point(c.blue), point(c.white)};
 }
 
 std::optional<RgbSpace> space_of(const Imf::Header& header, const ChannelNames& names,
                                  std::vector<std::string>& notes) {
     if (names == kXyzNames) return std::nullopt;
-    if (!Imf::hasChromaticities(header)) {
-        notes.emplace_back("no chromaticities: taken as Rec. 709 with the white D65");
-        return space_as_stored("Rec709");
-    }
-    const Imf::Chromaticities& c = Imf::chromaticities(header);
-    const auto point = [](const Imath::V2f& v) {
-        return Chromaticity{static_cast<double>(v.x), static_cast<double>(v.y)};
-    };
-    return RgbSpace{"chromaticities", point(c.red), point(c.green), point(c.blue), point(c.white)};
+    if (Imf::hasChromaticities(header)) return space_of_chromaticities(Imf::chromaticities(header));
+    notes.emplace_back("no chromaticities: taken as Rec. 709 with the white D65");
+    return space_as_stored("Rec709");
 }
 
 double white_luminance_cdm2(const Imf::Header& header, std::vector<std::string>& notes) {

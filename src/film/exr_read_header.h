@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfChromaticities.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 
@@ -30,9 +31,12 @@ void note_other_parts(const Imf::MultiPartInputFile& file, int chosen, std::vect
 
 [[nodiscard]] bool is_subsampled(const Imf::Channel& channel);
 
-/// \throws std::runtime_error if a channel of the picture is not in a form that we read.
+/// \throws std::runtime_error if the channel is not in a form that we read.
+void check_picture_channel(const std::string& name, const Imf::Channel& channel);
+/// The same of each channel of the picture.
 void check_picture_channels(const Imf::ChannelList& channels, const ChannelNames& names);
 
+[[nodiscard]] RgbSpace space_of_chromaticities(const Imf::Chromaticities& chromaticities);
 /// The space of R G B by the header's chromaticities; none for X Y Z, which need no telling.
 [[nodiscard]] std::optional<RgbSpace> space_of(const Imf::Header& header, const ChannelNames& names,
                                                std::vector<std::string>& notes);

@@ -1,6 +1,7 @@
 #pragma once
 // Which shape does a ray meet first, and does it meet any: Embree behind plain rays and hits.
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -43,12 +44,21 @@ struct RayLog {
     std::vector<Batch> batches;
 };
 
+/// Of two hierarchies over the same shapes the compact one takes half of the memory, and a seventh more of the
+/// rendering time (docs/geometry.md).
+enum class Hierarchy { fast, compact };
+
+/// Triangles of a scene from which on its hierarchies are compact.
+inline constexpr std::size_t kManyTriangles = 4'000'000;
+
 class Accelerator {
   public:
-    /// Builds Embree's hierarchy over the scene's shapes and instances on up to `threads` threads (0: all). `objects`
-    /// are those of settle_objects(). The shapes must outlive it, and stay where they are. \throws std::runtime_error
-    /// if that fails: with Embree's reason, or because coordinates are beyond its range.
-    Accelerator(const Scene& scene, std::span<const ShapeRange> objects, int threads);
+    /// Builds Embree's hierarchy over the scene's shapes and instances on up to `threads` threads (0: all): a compact
+    /// one from `many_triangles` on. `objects` are those of settle_objects(). The shapes must outlive it, and stay
+    /// where they are. \throws std::runtime_error if that fails: with Embree's reason, or because coordinates are
+    /// beyond its range.
+    Accelerator(const Scene& scene, std::span<const ShapeRange> objects, int threads,
+                std::size_t many_triangles = kManyTriangles);
     ~Accelerator();
     Accelerator(const Accelerator&) = delete;
     Accelerator& operator=(const Accelerator&) = delete;
@@ -62,12 +72,15 @@ class Accelerator {
     /// From now on every query is also written to `log` (one thread only); nullptr ends it.
     void record(RayLog* log) noexcept { log_ = log; }
 
+    [[nodiscard]] Hierarchy hierarchy() const noexcept { return hierarchy_; }
+
     /// Half the diagonal of the bounding box of all that can be seen; 0 if there is nothing.
     [[nodiscard]] float bounds_radius() const noexcept { return bounds_radius_; }
 
   private:
     struct Embree;
     std::unique_ptr<Embree> embree_;
+    Hierarchy hierarchy_ = Hierarchy::fast;
     float bounds_radius_ = 0.0f;
     RayLog* log_ = nullptr;
 };

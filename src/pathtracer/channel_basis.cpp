@@ -23,14 +23,16 @@ constexpr int kNodes = kMaxWavelength_nm - kMinWavelength_nm + 1;
 /// The most products of lights and reflectances that are looked at.
 constexpr std::size_t kMostProducts = 1024;
 
-/// Means around whole nanometres: lines of any width count in full.
 VectorXd nodes_of(const Spectrum& spectrum) {
     const std::vector<double> integrals = node_integrals(spectrum);
-    VectorXd nodes = Eigen::Map<const VectorXd>(integrals.data(), kNodes);
-    // There is half a triangle at both ends.
-    nodes[0] *= 2.0;
-    nodes[kNodes - 1] *= 2.0;
-    return nodes;
+    return Eigen::Map<const VectorXd>(integrals.data(), kNodes);
+}
+
+/// Of a reflectance: its values.
+VectorXd values_at_nodes(const Spectrum& spectrum) {
+    VectorXd values(kNodes);
+    for (int i = 0; i < kNodes; ++i) values[i] = eval(spectrum, static_cast<double>(kMinWavelength_nm + i));
+    return values;
 }
 
 /// Columns: xbar, ybar, zbar.
@@ -171,7 +173,7 @@ FixedChannels basis_channels(const SceneSpectra& spectra, int functions) {
     SceneSpectra scene = spectra;
     if (scene.lights.empty()) scene.lights.push_back({ConstantSpectrum{1.0}, 1.0});
     std::vector<VectorXd> reflectances;
-    for (const Spectrum& spectrum : scene.reflectances) reflectances.push_back(nodes_of(spectrum));
+    for (const Spectrum& spectrum : scene.reflectances) reflectances.push_back(values_at_nodes(spectrum));
 
     // Functions f are kept as f sqrt(w), and so are orthonormal in the eye's measure w.
     const MatrixXd observer = observer_nodes();
@@ -194,11 +196,9 @@ FixedChannels basis_channels(const SceneSpectra& spectra, int functions) {
     correct_for_one_reflection(means, h, xyz, observer, nodes_of(sum_of_lights(scene)));
 
     FixedChannels channels;
-    channels.illuminant = ConstantSpectrum{1.0};
     for (Eigen::Index k = 0; k < basis.cols(); ++k) {
-        channels.channel.push_back({DenseSpectrum{static_cast<double>(kMinWavelength_nm), 1.0, values_of(h.col(k))},
-                                    DenseSpectrum{static_cast<double>(kMinWavelength_nm), 1.0, values_of(means.col(k))},
-                                    {xyz(k, 0), xyz(k, 1), xyz(k, 2)}});
+        channels.push_back(
+            {values_of(h.col(k)), normalised_weights(values_of(means.col(k))), {xyz(k, 0), xyz(k, 1), xyz(k, 2)}});
     }
     return channels;
 }

@@ -34,7 +34,7 @@ struct SceneSpectra {
 /// Of all lights by their flux; equal energy if there are none.
 [[nodiscard]] Spectrum sum_of_lights(const SceneSpectra& spectra);
 
-/// `functions` in [3, kMostFixedChannels]. Without lights, equal energy is taken for one.
+/// `functions` in [3, kMostBasisFunctions]. Without lights, equal energy is taken for one.
 /// \throws std::invalid_argument as validate(Spectrum) does.
 [[nodiscard]] FixedChannels basis_channels(const SceneSpectra& spectra, int functions);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "core/units.h"
@@ -15,18 +16,12 @@ namespace {
 /// Colours along each axis of the grid.
 constexpr std::size_t kSide = 17;
 
-std::vector<double> normalised(std::vector<double> weights, const DenseSpectrum& fallback) {
-    double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    const double size =
-        std::accumulate(weights.begin(), weights.end(), 0.0, [](double s, double w) { return s + std::abs(w); });
-    constexpr double kCancelled = 1e-4;
-    if (!(std::abs(sum) > kCancelled * size)) {
-        std::transform(fallback.value.begin(), fallback.value.end(), weights.begin(),
-                       [](double w) { return std::abs(w); });
-        sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+std::array<double, 3> product(const std::array<double, 3>& row, const Matrix3& matrix) noexcept {
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) result[i] += row[j] * matrix.m[j][i];
     }
-    for (double& w : weights) w /= sum;
-    return weights;
+    return result;
 }
 
 struct GridPlace {
@@ -42,35 +37,33 @@ GridPlace place_of(float value) noexcept {
 }  // namespace
 
 ChannelColours::ChannelColours(const FixedChannels& channels, const RgbSpace& space, const SigmoidTable& sigmoids) {
-    if (channels.rgb_from_xyz) {
-        set_linear(channels, space);
-        return;
-    }
     Weights weights;
-    for (const auto& channel : channels.channel) {
-        const Spectrum seen = product_of(channels.illuminant, channel.reflectance);
-        weights.push_back(normalised(node_integrals(seen), channel.reflectance));
+    for (const FixedChannel& channel : channels) {
+        weights.push_back(channel.colour_from_xyz ? std::vector<double>{} : channel.reflectance);
     }
-    fill(weights, sigmoids);
+    fill(channels, space, weights, sigmoids);
 }
 
 ChannelColours::ChannelColours(const FixedChannels& channels, const RgbSpace& space, const SigmoidTable& sigmoids,
                                const Spectrum& light) {
-    if (channels.rgb_from_xyz) {
-        set_linear(channels, space);
-        return;
-    }
+    const std::vector<double> nodes = node_integrals(light);
     Weights weights;
-    for (const auto& channel : channels.channel) {
-        weights.push_back(normalised(node_integrals(product_of(light, channel.light)), channel.light));
+    for (const FixedChannel& channel : channels) {
+        std::vector<double>& seen = weights.emplace_back();
+        if (channel.colour_from_xyz) continue;
+        seen = channel.light;
+        std::transform(seen.begin(), seen.end(), nodes.begin(), seen.begin(), std::multiplies<>());
+        seen = normalised_weights(std::move(seen));
     }
-    fill(weights, sigmoids);
+    fill(channels, space, weights, sigmoids);
 }
 
-void ChannelColours::set_linear(const FixedChannels& channels, const RgbSpace& space) {
-    const Matrix3 matrix = *channels.rgb_from_xyz * xyz_from_rgb(space);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<double, 3>& row = matrix.m[k];
+void ChannelColours::fill(const FixedChannels& channels, const RgbSpace& space, const Weights& weights,
+                          const SigmoidTable& sigmoids) {
+    const Matrix3 xyz_from_colour = xyz_from_rgb(space);
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        if (!channels[k].colour_from_xyz) continue;
+        const std::array<double, 3> row = product(*channels[k].colour_from_xyz, xyz_from_colour);
         const double white = row[0] + row[1] + row[2];
         for (std::size_t i = 0; i < 3; ++i) {
             // The space's own channels are themselves, without what the product of matrices rounds.
@@ -79,36 +72,37 @@ void ChannelColours::set_linear(const FixedChannels& channels, const RgbSpace& s
             of_primary_[i][k] = std::abs(share) < kRounding ? 0.0f : static_cast<float>(share);
         }
     }
-}
+    const auto is_colour = [](const FixedChannel& channel) { return channel.colour_from_xyz.has_value(); };
+    if (std::all_of(channels.begin(), channels.end(), is_colour)) return;
 
-void ChannelColours::fill(const Weights& weights, const SigmoidTable& sigmoids) {
-    std::vector<double> lambda_nm(weights.front().size()), sigmoid(lambda_nm.size());
+    std::vector<double> lambda_nm(kWholeNanometres), sigmoid(kWholeNanometres);
     std::iota(lambda_nm.begin(), lambda_nm.end(), static_cast<double>(kMinWavelength_nm));
     const auto values_of = [&](const RGB& rgb) {
         eval(Spectrum(sigmoid_of(sigmoids.reflectance(rgb))), lambda_nm, sigmoid);
-        std::array<double, kMostFixedChannels> values{};
+        ChannelValues values{};
         for (std::size_t k = 0; k < weights.size(); ++k) {
-            values[k] = std::inner_product(sigmoid.begin(), sigmoid.end(), weights[k].begin(), 0.0);
+            values[k] = std::inner_product(weights[k].begin(), weights[k].end(), sigmoid.begin(), 0.0);
         }
         return values;
     };
-    const std::array<std::array<double, kMostFixedChannels>, 3> primaries = {
-        values_of({1.0f, 0.0f, 0.0f}), values_of({0.0f, 1.0f, 0.0f}), values_of({0.0f, 0.0f, 1.0f})};
+    const std::array<ChannelValues, 3> primaries = {values_of({1.0f, 0.0f, 0.0f}), values_of({0.0f, 1.0f, 0.0f}),
+                                                    values_of({0.0f, 0.0f, 1.0f})};
     for (std::size_t i = 0; i < 3; ++i) {
-        std::transform(primaries[i].begin(), primaries[i].end(), of_primary_[i].begin(),
-                       [](double value) { return static_cast<float>(value); });
+        for (std::size_t k = 0; k < channels.size(); ++k) {
+            if (!is_colour(channels[k])) of_primary_[i][k] = static_cast<float>(primaries[i][k]);
+        }
     }
-    grid_.reserve(kSide * kSide * kSide);
+    stride_ = static_cast<std::size_t>(compiled_channels(static_cast<int>(weights.size())));
+    grid_.reserve(kSide * kSide * kSide * stride_);
     for (std::size_t b = 0; b < kSide; ++b) {
         for (std::size_t g = 0; g < kSide; ++g) {
             for (std::size_t r = 0; r < kSide; ++r) {
                 const auto level = [](std::size_t i) { return static_cast<float>(i) / static_cast<float>(kSide - 1); };
                 const RGB rgb{level(r), level(g), level(b)};
                 const auto exact = values_of(rgb);
-                ChannelValues& rest = grid_.emplace_back();
-                for (std::size_t k = 0; k < weights.size(); ++k) {
+                for (std::size_t k = 0; k < stride_; ++k) {
                     const double linear = rgb.r * primaries[0][k] + rgb.g * primaries[1][k] + rgb.b * primaries[2][k];
-                    rest[k] = static_cast<float>(exact[k] - linear);
+                    grid_.push_back(static_cast<float>(exact[k] - linear));
                 }
             }
         }
@@ -139,7 +133,7 @@ SampledSpectrum<K> ChannelColours::at(const RGB& rgb) const noexcept {
             node += (place[axis].cell + (upper ? 1 : 0)) * stride;
             stride *= kSide;
         }
-        for (std::size_t k = 0; k < K; ++k) values.value[k] += weight * grid_[node][k];
+        for (std::size_t k = 0; k < K; ++k) values.value[k] += weight * grid_[node * stride_ + k];
     }
     return values;
 }

@@ -26,7 +26,8 @@ class ChannelColours {
     ChannelColours(const FixedChannels& channels, const RgbSpace& space, const SigmoidTable& sigmoids,
                    const Spectrum& light);
 
-    /// Components of the colour outside [0, 1] are taken for the nearer of the two, unless channels are linear.
+    /// K is compiled_channels() of theirs. Components of the colour outside [0, 1] are taken for the nearer of the two,
+    /// unless all channels are colours themselves.
     template <int K>
     [[nodiscard]] SampledSpectrum<K> at(const RGB& rgb) const noexcept;
 
@@ -35,13 +36,15 @@ class ChannelColours {
     [[nodiscard]] SampledSpectrum<K> unbounded(const RGB& rgb) const noexcept;
 
   private:
-    using Weights = std::vector<std::vector<double>>;  // of each channel, at whole nanometres; their sum is 1
+    /// Weights at whole nanometres of the channels that are no colours, empty for those that are.
+    using Weights = std::vector<std::vector<double>>;
+    void fill(const FixedChannels& channels, const RgbSpace& space, const Weights& weights,
+              const SigmoidTable& sigmoids);
 
-    void set_linear(const FixedChannels& channels, const RgbSpace& space);
-    void fill(const Weights& weights, const SigmoidTable& sigmoids);
-
-    std::array<ChannelValues, 3> of_primary_{};  // the matrix, by columns
-    std::vector<ChannelValues> grid_;            // kSide^3 differences from it, red fastest; empty: none
+    using Column = std::array<float, kMostFixedChannels>;
+    std::array<Column, 3> of_primary_{};  // the matrix
+    std::size_t stride_ = 0;              // channels of a colour of the grid
+    std::vector<float> grid_;             // kSide^3 differences from the matrix, red fastest; empty: none
 };
 
 }  // namespace emulsion

@@ -65,9 +65,4 @@ Imath::V2f uv_at(const PreparedCylinder& cylinder, const V3d& position) noexcept
             static_cast<float>((p.z - cylinder.z_min) / (cylinder.z_max - cylinder.z_min))};
 }
 
-V3d tangent_at(const PreparedCylinder& cylinder, const V3d& position) noexcept {
-    const V3d p = cylinder.object_point(position);
-    return cylinder.world_vector({-p.y, p.x, 0.0});
-}
-
 }  // namespace emulsion

@@ -26,6 +26,5 @@ struct PreparedCylinder : QuadricFrame {
 [[nodiscard]] Imath::Box3f bounds(const PreparedCylinder& cylinder) noexcept;
 /// u = phi / phi_max, v = (z - z_min) / (z_max - z_min).
 [[nodiscard]] Imath::V2f uv_at(const PreparedCylinder& cylinder, const Imath::V3d& position) noexcept;
-[[nodiscard]] Imath::V3d tangent_at(const PreparedCylinder& cylinder, const Imath::V3d& position) noexcept;
 
 }  // namespace emulsion

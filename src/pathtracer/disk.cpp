@@ -48,9 +48,4 @@ Imath::V2f uv_at(const PreparedDisk& disk, const V3d& position) noexcept {
             static_cast<float>((disk.radius - std::hypot(p.x, p.y)) / (disk.radius - disk.inner_radius))};
 }
 
-V3d tangent_at(const PreparedDisk& disk, const V3d& position) noexcept {
-    const V3d p = disk.object_point(position);
-    return disk.world_vector({-p.y, p.x, 0.0});
-}
-
 }  // namespace emulsion

@@ -25,6 +25,5 @@ struct PreparedDisk : QuadricFrame {
 [[nodiscard]] Imath::Box3f bounds(const PreparedDisk& disk) noexcept;
 /// u = phi / phi_max; v = 0 at the outer edge and 1 at the inner one.
 [[nodiscard]] Imath::V2f uv_at(const PreparedDisk& disk, const Imath::V3d& position) noexcept;
-[[nodiscard]] Imath::V3d tangent_at(const PreparedDisk& disk, const Imath::V3d& position) noexcept;
 
 }  // namespace emulsion

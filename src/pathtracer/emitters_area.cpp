@@ -9,7 +9,6 @@
 
 #include "pathtracer/bilinear.h"
 #include "pathtracer/spherical_triangle.h"
-#include "pathtracer/surface.h"
 
 namespace emulsion {
 
@@ -21,24 +20,27 @@ using Imath::V3f;
 
 constexpr double kPi = std::numbers::pi;
 
+/// From density per area to density per steradian.
+float solid_angle_pdf(double area_pdf, float distance2, float cosine) noexcept {
+    return static_cast<float>(area_pdf * static_cast<double>(distance2 / std::abs(cosine)));
+}
+float solid_angle_pdf(double area_pdf, const MetEmitter& met) noexcept {
+    return solid_angle_pdf(area_pdf, (met.point - met.from).length2(), met.direction.dot(met.normal));
+}
+
 /// From a point of a surface, drawn with `area_pdf` per unit of its area, to a sample of directions.
 EmitterSample from_area(const SurfacePoint& light, double area_pdf, bool two_sided, const V3f& from) noexcept {
-    const V3d to = V3d(light.position) - V3d(from);
-    const double distance2 = to.length2();
+    const V3f to = light.position - from;
+    const float distance2 = to.dot(to);
     EmitterSample sample;
-    if (!(distance2 > 0.0)) return sample;
-    sample.to_light = V3f(to * (1.0 / std::sqrt(distance2)));
+    if (!(distance2 > 0.0f)) return sample;
+    sample.to_light = to * (1.0f / std::sqrt(distance2));
     const float cosine = -sample.to_light.dot(light.geometric_normal);
     if (two_sided ? cosine == 0.0f : cosine <= 0.0f) return sample;
     sample.target = light.origin_towards(-sample.to_light);
-    sample.pdf = static_cast<float>(area_pdf * distance2 / static_cast<double>(std::abs(cosine)));
+    sample.pdf = solid_angle_pdf(area_pdf, distance2, cosine);
     sample.scale = 1.0f;
     return sample;
-}
-
-float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
-    const double distance2 = (V3d(met.point) - V3d(met.from)).length2();
-    return static_cast<float>(area_pdf * distance2 / static_cast<double>(std::abs(met.direction.dot(met.normal))));
 }
 
 // --- Flat faces
@@ -46,6 +48,7 @@ float solid_angle_pdf(const MetEmitter& met, double area_pdf) noexcept {
 /// Triangles and flat patches that are seen under less than this, in steradians, are sampled by area: see
 /// docs/geometry.md for the measured errors of both, and what they cost.
 constexpr double kLeastSolidAngle = 0.1;
+constexpr double kTanHalfLeast = 0.05004172928;  // tan(0.05)
 
 /// A sample in a direction drawn uniformly from a solid angle.
 EmitterSample towards(const SurfacePoint& light, const V3d& direction, double solid_angle, bool two_sided) noexcept {
@@ -58,12 +61,14 @@ EmitterSample towards(const SurfacePoint& light, const V3d& direction, double so
     return sample;
 }
 
-/// Whether a triangle with its first corner at p0 from the receiver may be seen under kLeastSolidAngle: no point of it
-/// is further from the first corner than the longer of the two edges that start there.
-bool may_be_large(const V3d& p0, const TriangleGeometry& triangle) noexcept {
-    const double reach = std::sqrt(std::max(triangle.edge1.length2(), triangle.edge2.length2()));
-    const double closest = std::max(0.0, p0.length() - reach);
-    return triangle.area >= kLeastSolidAngle * closest * closest;
+/// The triangle as it is seen from a point, if that is under kLeastSolidAngle at least. Most are not, and this is found
+/// out without the solid angle itself.
+std::optional<SphericalTriangle> seen_large(const TriangleEmitter& emitter, const V3f& from) noexcept {
+    if ((emitter.centre - from).length2() > emitter.large_within2) return std::nullopt;
+    const TriangleEdges edges(*emitter.mesh, emitter.triangle);
+    const V3d p0 = edges.p0 - V3d(from), p1 = p0 + edges.edge1, p2 = p0 + edges.edge2;
+    if (!is_seen_above(kTanHalfLeast, p0, p1, p2)) return std::nullopt;
+    return SphericalTriangle(p0, p1, p2);
 }
 
 /// Where on the triangle a ray from the origin goes, kept within: p0 + u edge1 + v edge2.
@@ -140,33 +145,42 @@ V2d met_uv(const BilinearMesh& mesh, const BilinearPatch& patch, const MetEmitte
 
 }  // namespace
 
+TriangleEmitter emitter_of(const TriangleMesh& mesh, std::uint32_t triangle) noexcept {
+    const TriangleEdges edges(mesh, triangle);
+    const TriangleFace face(mesh, edges);
+    const V3d centre = (edges.edge1 + edges.edge2) * (1.0 / 3.0);
+    // No point of the triangle is further from its centre than a corner. A little more, for rounding.
+    const double reach2 =
+        std::max({centre.length2(), (centre - edges.edge1).length2(), (centre - edges.edge2).length2()});
+    const double large_within = 1.001 * (std::sqrt(reach2) + std::sqrt(face.area / kLeastSolidAngle));
+    return {.mesh = &mesh,
+            .triangle = triangle,
+            .large_within2 = static_cast<float>(large_within * large_within),
+            .centre = V3f(edges.p0 + centre),
+            .face = face};
+}
+
 EmitterSample sample_one(const TriangleEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
-    const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
-    const V3d p0 = triangle.p0 - V3d(from);
+    const TriangleEdges edges(*emitter.mesh, emitter.triangle);
     Hit hit{.primitive = emitter.triangle};
-    if (may_be_large(p0, triangle)) {
-        const SphericalTriangle seen(p0, p0 + triangle.edge1, p0 + triangle.edge2);
-        if (seen.solid_angle >= kLeastSolidAngle) {
-            const V3d direction = sample(seen, {static_cast<double>(u[0]), static_cast<double>(u[1])});
-            std::tie(hit.u, hit.v) = where_met(p0, triangle.edge1, triangle.edge2, direction);
-            return towards(surface_point(*emitter.mesh, triangle, hit), direction, seen.solid_angle, emitter.two_sided);
-        }
+    if (const auto seen = seen_large(emitter, from)) {
+        const V3d direction = sample(*seen, {static_cast<double>(u[0]), static_cast<double>(u[1])});
+        std::tie(hit.u, hit.v) = where_met(edges.p0 - V3d(from), edges.edge1, edges.edge2, direction);
+        const SurfacePoint light = surface_point(*emitter.mesh, edges, emitter.face, hit);
+        return towards(light, direction, seen->solid_angle, emitter.two_sided);
     }
     // Uniform over the area. Source: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
     const bool lower = u[0] > u[1];
     hit.u = lower ? u[0] - 0.5f * u[1] : 0.5f * u[0];
     hit.v = lower ? 0.5f * u[1] : u[1] - 0.5f * u[0];
-    return from_area(surface_point(*emitter.mesh, triangle, hit), 1.0 / triangle.area, emitter.two_sided, from);
+    const SurfacePoint light = surface_point(*emitter.mesh, edges, emitter.face, hit);
+    return from_area(light, 1.0 / emitter.face.area, emitter.two_sided, from);
 }
 
 float pdf_of(const TriangleEmitter& emitter, const MetEmitter& met) noexcept {
-    const TriangleGeometry triangle(*emitter.mesh, emitter.triangle);
-    const V3d p0 = triangle.p0 - V3d(met.from);
-    if (may_be_large(p0, triangle)) {
-        const double solid_angle = SphericalTriangle(p0, p0 + triangle.edge1, p0 + triangle.edge2).solid_angle;
-        if (solid_angle >= kLeastSolidAngle) return static_cast<float>(1.0 / solid_angle);
-    }
-    return solid_angle_pdf(met, 1.0 / triangle.area);
+    const auto seen = seen_large(emitter, met.from);
+    if (seen) return static_cast<float>(1.0 / seen->solid_angle);
+    return solid_angle_pdf(1.0 / emitter.face.area, met);
 }
 
 EmitterSample sample_one(const PatchEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
@@ -200,7 +214,7 @@ float pdf_of(const PatchEmitter& emitter, const MetEmitter& met) noexcept {
         const double total = seen.lower.solid_angle + seen.upper.solid_angle;
         if (total >= kLeastSolidAngle) return static_cast<float>(1.0 / total);
     }
-    return solid_angle_pdf(met, patch_area_pdf(patch, met_uv(*emitter.mesh, patch, met)));
+    return solid_angle_pdf(patch_area_pdf(patch, met_uv(*emitter.mesh, patch, met)), met);
 }
 
 EmitterSample sample_one(const QuadricEmitter& emitter, const V3f& from, std::array<float, 2> u) noexcept {
@@ -227,7 +241,7 @@ float pdf_of(const QuadricEmitter& emitter, const MetEmitter& met) noexcept {
     return std::visit(
         [&](const auto& quadric) {
             const double stretch = point_at(quadric, V3d(met.point)).area_stretch;
-            return solid_angle_pdf(met, 1.0 / (quadric.object_area * stretch));
+            return solid_angle_pdf(1.0 / (quadric.object_area * stretch), met);
         },
         *emitter.quadric);
 }

@@ -7,6 +7,7 @@
 #include "pathtracer/emitter_sample.h"
 #include "pathtracer/quadrics.h"
 #include "pathtracer/scene_geometry.h"
+#include "pathtracer/surface.h"
 
 namespace emulsion {
 
@@ -15,7 +16,12 @@ struct TriangleEmitter {
     const TriangleMesh* mesh = nullptr;
     std::uint32_t triangle = 0;
     bool two_sided = false;
+    float large_within2 = 0.0f;  ///< squared distance of the centre, beyond which it is surely seen as a small one
+    Imath::V3f centre{0.0f};
+    TriangleFace face;
 };
+/// Of one side.
+[[nodiscard]] TriangleEmitter emitter_of(const TriangleMesh& mesh, std::uint32_t triangle) noexcept;
 
 /// The same of one bilinear patch.
 struct PatchEmitter {

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/units.h"
 #include "pathtracer/equal_area.h"
-#include "spectrum/rgb_space.h"
 
 namespace emulsion {
 
@@ -37,7 +35,7 @@ EnvironmentMap::EnvironmentMap(const ImageInfiniteLight& light)
       light_from_world_(linear_part(light.world_from_light).inverse()),
       world_from_light_(linear_part(light.world_from_light)),
       distribution_(sampling_weights(*light.texels)),
-      sigmoids_(rgb_space("sRGB")) {}
+      colours_(light.space) {}
 
 Imath::V3f EnvironmentMap::sample(std::array<float, 2> u) const noexcept {
     return Imath::V3f((equal_area_direction(distribution_.sample(u)) * world_from_light_).normalized());
@@ -56,28 +54,10 @@ EnvironmentMap::Texel EnvironmentMap::texel_of(const Imath::V3f& direction) cons
     return {at(place.x, texels_->width()), at(place.y, texels_->height())};
 }
 
-void EnvironmentMap::prepare(const FixedChannels& channels, const Spectrum& illuminant) {
-    channel_colours_.emplace(channels, rgb_space("sRGB"), sigmoids_, illuminant);
-}
-
-template <int N>
-SampledSpectrum<N> EnvironmentMap::light_of(const RGB& texel, const SpectrumTableIndex<N>& index) const noexcept {
-    std::array<float, N> lambda_nm{};
-    for (std::size_t i = 0; i < N; ++i) {
-        lambda_nm[i] = static_cast<float>(kMinWavelength_nm + index.cell[i]) + index.fraction[i];
-    }
-    const ScaledSigmoid colour = sigmoids_.unbounded(texel);
-    return eval<N>(colour.sigmoid, lambda_nm) * colour.scale;
-}
-template <int K>
-SampledSpectrum<K> EnvironmentMap::light_of(const RGB& texel, const FixedIndex<K>& /*index*/) const noexcept {
-    return channel_colours_->unbounded<K>(texel);
-}
-
 template <class Index>
 ValuesAt<Index> EnvironmentMap::colour(const Imath::V3f& direction, const Index& index) const noexcept {
     const auto [x, y] = texel_of(direction);
-    return light_of((*texels_)(x, y), index);
+    return colours_.light((*texels_)(x, y), index);
 }
 
 #define EMULSION_INSTANTIATE(TRANSPORT)                                                                    \
@@ -85,8 +65,8 @@ ValuesAt<Index> EnvironmentMap::colour(const Imath::V3f& direction, const Index&
         const noexcept;
 EMULSION_FOR_EACH_TRANSPORT(EMULSION_INSTANTIATE)
 
-double mean_luminance(const Image<RGB>& texels) {
-    const std::array<double, 3> y = xyz_from_rgb(rgb_space("sRGB")).m[1];
+double mean_luminance(const Image<RGB>& texels, ColorSpace space) {
+    const std::array<double, 3> y = xyz_from_rgb(rgb_space_of(space)).m[1];
     double sum = 0.0;
     for (const RGB& texel : texels.pixels()) {
         sum += y[0] * static_cast<double>(texel.r) + y[1] * static_cast<double>(texel.g) +

@@ -4,16 +4,14 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
-#include "pathtracer/channel_colours.h"
 #include "pathtracer/scene_light.h"
+#include "pathtracer/texel_colours.h"
 #include "pathtracer/texel_distribution.h"
 #include "pathtracer/transport.h"
-#include "spectrum/sigmoid_table.h"
 
 namespace emulsion {
 
@@ -23,7 +21,7 @@ class EnvironmentMap {
 
     /// For paths of these channels. `illuminant` is the light's own.
     /// \throws std::invalid_argument as SpectrumTables::prepare().
-    void prepare(const FixedChannels& channels, const Spectrum& illuminant);
+    void prepare(const FixedChannels& channels, const Spectrum& illuminant) { colours_.prepare(channels, illuminant); }
 
     /// A direction towards the light, drawn with density pdf(): texels by how much brighter they are than the mean, as
     /// what is no brighter is found well enough by the surfaces' own sampling.
@@ -44,19 +42,13 @@ class EnvironmentMap {
     };
     [[nodiscard]] Texel texel_of(const Imath::V3f& direction) const noexcept;
 
-    template <int N>
-    [[nodiscard]] SampledSpectrum<N> light_of(const RGB& texel, const SpectrumTableIndex<N>& index) const noexcept;
-    template <int K>
-    [[nodiscard]] SampledSpectrum<K> light_of(const RGB& texel, const FixedIndex<K>& index) const noexcept;
-
     std::shared_ptr<const Image<RGB>> texels_;
     Imath::M33d light_from_world_, world_from_light_;
     TexelDistribution distribution_;
-    SigmoidTable sigmoids_;
-    std::optional<ChannelColours> channel_colours_;
+    TexelColours colours_;
 };
 
 /// The luminance that the mean texel gives an illuminant of luminance 1.
-[[nodiscard]] double mean_luminance(const Image<RGB>& texels);
+[[nodiscard]] double mean_luminance(const Image<RGB>& texels, ColorSpace space);
 
 }  // namespace emulsion

@@ -29,7 +29,8 @@ FixedChannels rgb_channels(std::string_view space) {
     // Sharp channels have no white of their own: that of sRGB, which colours without a space are of.
     FixedChannels result = linear_channels(channel_space_from_xyz(space),
                                            illuminant_of(rgb_space(space == kSharpChannels ? "sRGB" : space)));
-    result.rgb_from_xyz = channel_space_from_xyz(space);
+    const Matrix3 rgb_from_xyz = channel_space_from_xyz(space);
+    for (std::size_t k = 0; k < 3; ++k) result[k].colour_from_xyz = rgb_from_xyz.m[k];
     return result;
 }
 

@@ -17,6 +17,9 @@ bool PathIntegrator<Transport>::scatter_material(PathT& path, std::uint32_t path
             path.channels = Channels::first_only;
         }
     }
+    if constexpr (Transport::kMarksDispersion) {
+        if (materials.disperses(material)) path.throughput[Transport::kChannels - 1] = 0.0f;
+    }
     std::uint64_t seed = 0;
     if (materials.is_estimated(material)) seed = static_cast<std::uint64_t>(path.samples.next_1d_fine() * 0x1p48);
     const auto bsdf = materials.template bsdf<Transport>(material, vertex.place, path.index, path.channels, seed);

@@ -44,7 +44,7 @@ void PreparedScene::add_light(const Light& light, LightPowers& powers) {
         environment_maps_.push_back(std::make_unique<EnvironmentMap>(*image));
         emitters_.push_back({ImageEmitter{environment_maps_.back().get()}, spectrum});
         powers.emitter.push_back(4.0 * kPi * scene_disk * photometric_strength(image->illuminant) *
-                                 mean_luminance(*image->texels));
+                                 mean_luminance(*image->texels, image->space));
     }
     powers.light_end.push_back(emitters_.size());
 }

@@ -227,6 +227,15 @@ bool PreparedMaterials::needs_one_channel(const PreparedMaterial& material, cons
     return !facets_of(number(r.u, point), number(r.v, point), r.remap).smooth;
 }
 
+bool PreparedMaterials::disperses(const PreparedMaterial& material) noexcept {
+    return visit_noexcept(
+        [](const auto& m) {
+            if constexpr (requires { m.disperses; }) return m.disperses;
+            return false;
+        },
+        material);
+}
+
 namespace {
 
 const PreparedRoughness* roughness_of(const PreparedMaterial& material) noexcept {

@@ -111,6 +111,8 @@ class PreparedMaterials {
 
     /// Whether bsdf() of this material holds for the first channel alone, whatever direction is drawn.
     [[nodiscard]] bool needs_one_channel(const PreparedMaterial& material, const TexturePoint& point) const noexcept;
+    /// Whether its index of refraction differs between wavelengths, so that it splits light.
+    [[nodiscard]] static bool disperses(const PreparedMaterial& material) noexcept;
     /// Whether its tangents matter.
     [[nodiscard]] bool is_anisotropic(const PreparedMaterial& material) const noexcept;
     /// Whether it uses the seed.

@@ -4,7 +4,7 @@
 
 #include "pathtracer/prepared_scene.h"
 #include "spectrum/colorimetry.h"
-#include "spectrum/rgb_space.h"
+#include "spectrum/sigmoid_table.h"
 #include "spectrum/wavelength_importance.h"
 
 namespace emulsion {
@@ -40,7 +40,8 @@ RGB mean_of(const Image<RGB>& picture, int column, int row) {
     return {static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b)};
 }
 
-void add_colours_of(const Image<RGB>& picture, const SigmoidTable& sigmoids, std::vector<Spectrum>& spectra) {
+void add_colours_of(const Image<RGB>& picture, ColorSpace space, std::vector<Spectrum>& spectra) {
+    const SigmoidTable sigmoids(rgb_space_of(space));
     for (int row = 0; row < kPatches; ++row) {
         for (int column = 0; column < kPatches; ++column) {
             add_once(spectra, sigmoid_of(sigmoids.unbounded(mean_of(picture, column, row)).sigmoid));
@@ -66,7 +67,13 @@ void PreparedScene::prepare_for(const TransportModel& model) {
         wavelengths_ = prepare(spectral->strategy, importance());
         return;
     }
-    channels_ = channels_of(model, scene_spectra());
+    prepare_for(*channels_of(model, scene_spectra()));
+    model_ = model;
+}
+
+void PreparedScene::prepare_for(FixedChannels channels) {
+    model_.reset();
+    channels_ = std::move(channels);
     spectra_.prepare(*channels_);
     materials_->prepare(*channels_);
     for (const Emitter& emitter : emitters_) {
@@ -105,14 +112,13 @@ SceneSpectra PreparedScene::scene_spectra() const {
             ++i;
         }
     }
-    const SigmoidTable sigmoids(rgb_space("sRGB"));
     for (const ReflectanceTexture& texture : scene_.reflectance_textures) {
         const auto* image = std::get_if<ImageTexture<RGB>>(&texture);
-        if (image != nullptr) add_colours_of(image->image->texels, sigmoids, scene.reflectances);
+        if (image != nullptr) add_colours_of(image->image->texels, image->image->space, scene.reflectances);
     }
     for (const Light& light : scene_.lights) {
         const auto* image = std::get_if<ImageInfiniteLight>(&light);
-        if (image != nullptr) add_colours_of(*image->texels, sigmoids, scene.reflectances);
+        if (image != nullptr) add_colours_of(*image->texels, image->space, scene.reflectances);
     }
     return scene;
 }

@@ -7,9 +7,10 @@
 
 namespace emulsion {
 
-PreparedScene::PreparedScene(Scene scene, int threads, const TransportModel& model) : scene_(std::move(scene)) {
+PreparedScene::PreparedScene(Scene scene, int threads, const TransportModel& model, std::size_t many_triangles)
+    : scene_(std::move(scene)) {
     const std::vector<ShapeRange> objects = settle_objects(scene_);
-    accelerator_ = std::make_unique<Accelerator>(scene_, objects, threads);
+    accelerator_ = std::make_unique<Accelerator>(scene_, objects, threads, many_triangles);
     materials_ = std::make_unique<PreparedMaterials>(scene_, spectra_);
 
     LightPowers powers;

@@ -22,13 +22,16 @@ namespace emulsion {
 class PreparedScene {
   public:
     /// Takes the scene over. `threads` as in parallel_for; renders of the scene use no more of them than this, since
-    /// Embree keeps oneTBB to that number while it holds the scene.
+    /// Embree keeps oneTBB to that number while it holds the scene. `many_triangles` is Accelerator's.
     /// \throws std::invalid_argument naming what is out of range; std::runtime_error if Embree fails.
-    PreparedScene(Scene scene, int threads, const TransportModel& model = {});
+    PreparedScene(Scene scene, int threads, const TransportModel& model = {},
+                  std::size_t many_triangles = kManyTriangles);
 
     /// Prepares its spectra for another model; the rest stays.
     /// \throws std::invalid_argument as validate(TransportModel) does.
     void prepare_for(const TransportModel& model);
+    /// Prepares its spectra for paths of these channels, which are of no model.
+    void prepare_for(FixedChannels channels);
     /// Whether it is: for the last model that it was prepared for, and for wavelengths drawn without knowing the scene.
     [[nodiscard]] bool is_prepared_for(const TransportModel& model) const noexcept;
     /// Of the last model that it was prepared for, unless that is a spectral one.
@@ -68,7 +71,7 @@ class PreparedScene {
     [[nodiscard]] WavelengthImportance importance() const;
 
     Scene scene_;
-    TransportModel model_;
+    std::optional<TransportModel> model_;
     std::optional<FixedChannels> channels_;
     WavelengthSampler wavelengths_;
     std::unique_ptr<Accelerator> accelerator_;
@@ -92,7 +95,7 @@ class PreparedScene {
                                                                     const Hit& hit) noexcept {
     const TriangleMesh* const mesh = scene.shape(hit.shape).mesh;
     if (mesh == nullptr || hit.instance != Hit::kNone) return surface_point_elsewhere(scene, ray, hit);
-    return surface_point(*mesh, TriangleGeometry(*mesh, hit.primitive), hit);
+    return surface_point(*mesh, hit);
 }
 
 }  // namespace emulsion

@@ -69,7 +69,9 @@ void PreparedScene::add_area_light(const AreaLight& light, PreparedShape& shape,
     shape.two_sided = light.two_sided;
     if (shape.mesh != nullptr) {
         for (std::uint32_t i = 0; i < shape.mesh->triangle.size(); ++i) {
-            add(TriangleEmitter{shape.mesh, i, light.two_sided}, i, TriangleGeometry(*shape.mesh, i).area);
+            TriangleEmitter emitter = emitter_of(*shape.mesh, i);
+            emitter.two_sided = light.two_sided;
+            add(emitter, i, emitter.face.area);
         }
     } else if (shape.patches != nullptr) {
         for (std::uint32_t i = 0; i < shape.patches->patch.size(); ++i) {
@@ -87,7 +89,7 @@ void PreparedScene::add_area_light(const AreaLight& light, PreparedShape& shape,
 namespace {
 
 SurfacePoint point_of_shape(const PreparedScene::PreparedShape& shape, const Ray& ray, const Hit& hit) noexcept {
-    if (shape.mesh != nullptr) return surface_point(*shape.mesh, TriangleGeometry(*shape.mesh, hit.primitive), hit);
+    if (shape.mesh != nullptr) return surface_point(*shape.mesh, hit);
     if (shape.patches != nullptr) return surface_point(*shape.patches, hit);
     const Imath::V3d along = Imath::V3d(ray.origin) + static_cast<double>(hit.t) * Imath::V3d(ray.direction);
     return surface_point(point_at(*shape.quadric, along));

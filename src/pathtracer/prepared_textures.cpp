@@ -1,14 +1,11 @@
 #include "pathtracer/prepared_textures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/units.h"
 #include "core/visit.h"
 #include "pathtracer/texture_lookup.h"
 #include "pathtracer/texture_mapping.h"
-#include "spectrum/rgb_space.h"
 
 namespace emulsion {
 
@@ -16,8 +13,13 @@ namespace {
 
 /// Whether a point lies on a field of the first kind. pbrt-v4 blends the two over 1.5 times the ray's footprint, which
 /// has the same mean over a pixel.
-bool on_first_field(const TextureMapping& mapping, const TexturePoint& point) noexcept {
-    const Imath::V2d st = map(mapping, point);
+bool on_first_field(const std::variant<TextureMapping, SolidTextureMapping>& mapping,
+                    const TexturePoint& point) noexcept {
+    if (const auto* const solid = std::get_if<SolidTextureMapping>(&mapping)) {
+        const Imath::V3d p = map(*solid, point);
+        return std::fmod(std::floor(p.x) + std::floor(p.y) + std::floor(p.z), 2.0) == 0.0;
+    }
+    const Imath::V2d st = map(*std::get_if<TextureMapping>(&mapping), point);
     return std::fmod(std::floor(st.x) + std::floor(st.y), 2.0) == 0.0;
 }
 
@@ -27,20 +29,11 @@ float value_of(const ImageTexture<float>& texture, const TexturePoint& point) no
     return texture.invert ? std::max(0.0f, 1.0f - texel) : texel;
 }
 
-/// In linear sRGB, as the sigmoid table takes it: that clamps to [0, 1].
+/// In the linear RGB of the image, not clamped.
 RGB colour_of(const ImageTexture<RGB>& texture, const TexturePoint& point) noexcept {
     const RGB texel = static_cast<float>(texture.scale) *
                       lookup(texture.image->texels, texture.wrap, texture.filter, map(texture.mapping, point));
     return texture.invert ? RGB{1.0f, 1.0f, 1.0f} + -1.0f * texel : texel;
-}
-
-template <int N>
-std::array<float, N> wavelengths_of(const SpectrumTableIndex<N>& index) noexcept {
-    std::array<float, N> lambda_nm{};
-    for (std::size_t i = 0; i < N; ++i) {
-        lambda_nm[i] = static_cast<float>(kMinWavelength_nm + index.cell[i]) + index.fraction[i];
-    }
-    return lambda_nm;
 }
 
 }  // namespace
@@ -55,8 +48,10 @@ PreparedTextures::PreparedTextures(std::span<const FloatTexture> numbers,
     }
     for (const ReflectanceTexture& texture : reflectances) {
         reflectances_.push_back(prepared_node<Node<ReflectanceOperand, RGB>>(texture, spectra));
-        const bool image = std::holds_alternative<ImageTexture<RGB>>(texture);
-        if (image && !sigmoids_) sigmoids_.emplace(rgb_space("sRGB"));
+        const auto* const image = std::get_if<ImageTexture<RGB>>(&texture);
+        if (image == nullptr) continue;
+        auto& colours = colours_.at(static_cast<std::size_t>(image->image->space));
+        if (!colours) colours.emplace(image->image->space);
     }
 }
 
@@ -93,7 +88,9 @@ NodeType PreparedTextures::prepared_node(const Texture& texture, SpectrumTables&
 }
 
 void PreparedTextures::prepare(const FixedChannels& channels) {
-    if (sigmoids_) colours_.emplace(channels, rgb_space("sRGB"), *sigmoids_);
+    for (auto& colours : colours_) {
+        if (colours) colours->prepare(channels);
+    }
 }
 
 // --- Lookup
@@ -118,22 +115,13 @@ float PreparedTextures::value(const NumberOperand& operand, const TexturePoint& 
     return operand.texture < 0 ? operand.constant : number({operand.texture}, point);
 }
 
-template <int N>
-SampledSpectrum<N> PreparedTextures::values_of(const RGB& colour, const SpectrumTableIndex<N>& index) const noexcept {
-    return eval<N>(sigmoids_->reflectance(colour), wavelengths_of(index));
-}
-template <int K>
-SampledSpectrum<K> PreparedTextures::values_of(const RGB& colour, const FixedIndex<K>& /*index*/) const noexcept {
-    return colours_->at<K>(colour);
-}
-
 template <class Index>
 ValuesAt<Index> PreparedTextures::value(const ReflectanceOperand& operand, const TexturePoint& point,
                                         const Index& index) const noexcept {
     if (operand.texture < 0) return spectra_[operand.table].at(index);
     const auto evaluate = [&](const auto& node) noexcept -> ValuesAt<Index> {
         if constexpr (requires { node.image; }) {
-            return values_of(colour_of(node, point), index);
+            return colours_[static_cast<std::size_t>(node.image->space)]->reflectance(colour_of(node, point), index);
         } else if constexpr (requires { node.scale; }) {
             return value(node.texture, point, index) * value(node.scale, point);
         } else if constexpr (requires { node.amount; }) {

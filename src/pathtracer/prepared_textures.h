@@ -1,19 +1,19 @@
 #pragma once
 // A scene's textures, made ready to be looked up while rendering: nothing is allocated, nothing throws.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
-#include "pathtracer/channel_colours.h"
 #include "pathtracer/scene_texture.h"
 #include "pathtracer/spectrum_tables.h"
+#include "pathtracer/texel_colours.h"
 #include "pathtracer/texture_point.h"
 #include "pathtracer/transport.h"
 #include "spectrum/sampled_spectrum.h"
-#include "spectrum/sigmoid_table.h"
 
 namespace emulsion {
 
@@ -62,7 +62,7 @@ class PreparedTextures {
     template <class Operand>
     struct Checkerboard {
         Operand first, second;
-        TextureMapping mapping;
+        std::variant<TextureMapping, SolidTextureMapping> mapping;
     };
     template <class Operand, class Texel>
     using Node = std::variant<Scale<Operand>, Mix<Operand>, Checkerboard<Operand>, ImageTexture<Texel>>;
@@ -77,16 +77,11 @@ class PreparedTextures {
     [[nodiscard]] ValuesAt<Index> value(const ReflectanceOperand& operand, const TexturePoint& point,
                                         const Index& index) const noexcept;
 
-    template <int N>
-    [[nodiscard]] SampledSpectrum<N> values_of(const RGB& colour, const SpectrumTableIndex<N>& index) const noexcept;
-    template <int K>
-    [[nodiscard]] SampledSpectrum<K> values_of(const RGB& colour, const FixedIndex<K>& index) const noexcept;
-
     std::vector<Node<NumberOperand, float>> numbers_;
     std::vector<Node<ReflectanceOperand, RGB>> reflectances_;
     const SpectrumTables& spectra_;
-    std::optional<SigmoidTable> sigmoids_;   // of sRGB; if there are images of reflectances
-    std::optional<ChannelColours> colours_;  // the same for the channels, once these are known
+    // By ColorSpace, of those that images of reflectances have.
+    std::array<std::optional<TexelColours>, kColorSpaces> colours_;
 };
 
 }  // namespace emulsion

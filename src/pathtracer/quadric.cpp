@@ -27,6 +27,11 @@ QuadricPoint QuadricFrame::world_point(const V3d& position, const V3d& normal) c
     return point;
 }
 
+V3d tangent_at(const QuadricFrame& quadric, const V3d& position) noexcept {
+    const V3d p = quadric.object_point(position);
+    return quadric.world_vector({-p.y, p.x, 0.0});
+}
+
 Imath::Box3f bounds_of_cylinder(const Imath::M44d& world_from_object, double radius, double z, double z_top) noexcept {
     // Along world axis j a circle about z reaches as far as the length of the first two numbers of column j.
     const auto& m = world_from_object.x;

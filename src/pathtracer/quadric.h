@@ -50,6 +50,9 @@ struct QuadricFrame {
     return phi < 0.0 ? phi + 2.0 * std::numbers::pi : phi;
 }
 
+/// dp/du at a world-space point of the surface, for any of them: about the z axis of object space. Not normalised.
+[[nodiscard]] Imath::V3d tangent_at(const QuadricFrame& quadric, const Imath::V3d& position) noexcept;
+
 /// World-space bounds of what is on a circle of `radius` at height z and below one at height z_top.
 [[nodiscard]] Imath::Box3f bounds_of_cylinder(const Imath::M44d& world_from_object, double radius, double z,
                                               double z_top) noexcept;

@@ -33,8 +33,8 @@ WavelengthSampler sampler_of(const PreparedScene& scene, const TransportModel& m
 /// From a path's channels to what the film takes.
 std::array<XYZ, kMostFixedChannels> channel_matrix(const FixedChannels& channels, double imaging_ratio) {
     std::array<XYZ, kMostFixedChannels> matrix{};
-    for (std::size_t k = 0; k < channels.channel.size(); ++k) {
-        const auto& [x, y, z] = channels.channel[k].xyz;
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        const auto& [x, y, z] = channels[k].xyz;
         matrix[k] = {static_cast<float>(x * imaging_ratio), static_cast<float>(y * imaging_ratio),
                      static_cast<float>(z * imaging_ratio)};
     }
@@ -249,10 +249,14 @@ void render(const PreparedScene& scene, const RenderOptions& options, FilmInProg
         });
         return;
     }
-    const int channels = scene.channels()->count();
-    if (channels <= 3) return render_as.template operator()<FixedTransport<3>>();
-    if (channels <= 4) return render_as.template operator()<FixedTransport<4>>();
-    return render_as.template operator()<FixedTransport<8>>();
+    switch (compiled_channels(static_cast<int>(scene.channels()->size()))) {
+        case 3:
+            return render_as.template operator()<FixedTransport<3>>();
+        case 4:
+            return render_as.template operator()<FixedTransport<4>>();
+        default:  // a pilot is no model
+            return render_as.template operator()<FixedTransport<8>>();
+    }
 }
 
 void render(const PreparedScene& scene, const RenderOptions& options, Film& film, RenderProgress& progress) {

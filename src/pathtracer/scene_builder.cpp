@@ -30,14 +30,14 @@ Imath::V3d moved_to_origin(Camera& camera) {
 void SceneBuilder::camera(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Camera");
     require_rest(list.place, "a camera");
-    scene_.camera = read_camera(list, state_.frame.world_from_object, exposure_time_s_);
+    scene_.camera = read_camera(list, state_.frame.world_from_object, exposure_time_s_, warnings_);
     const Imath::M44d world_from_camera = std::visit([](const auto& c) { return c.world_from_camera; }, scene_.camera);
     coordinate_systems_["camera"] = {world_from_camera, world_from_camera};
 }
 
 void SceneBuilder::film(const SourcePlace& place, const ParameterList& list) {
     note_option(place, "Film");
-    read_film(list, scene_.film);
+    read_film(list, scene_.film, warnings_);
 }
 
 void SceneBuilder::sampler(const SourcePlace& place, const ParameterList& list) {
@@ -97,6 +97,11 @@ Imath::M44d SceneBuilder::from_camera_position(const Imath::M44d& world_from_obj
 // --- World
 
 Material SceneBuilder::read_material(const ParameterList& list) {
+    if (list.owner.empty() || list.owner == "none") {
+        warn(list.place, fmt::format("the material {} is taken as \"interface\", as in pbrt-v4{}", quote(list.owner),
+                                     list.parameters.empty() ? "" : ", and its parameters have no effect"));
+        return InterfaceMaterial{};
+    }
     const auto named = [this](const SourcePlace& place, const std::string& name) {
         NamedMaterial& slot = named_slot(name);
         if (!slot.first_use) slot.first_use = place;
@@ -158,7 +163,8 @@ void SceneBuilder::texture(const TextureDeclaration& declaration, ParameterList 
     inherit(AttributeTarget::texture, declaration.kind == "float" ? float_texture_table() : reflectance_texture_table(),
             list);
     warn_of_motion(list.place, "the texture");
-    textures_.make(declaration, list, {scene_, spectra_, files_, from_camera_position(state_.frame.world_from_object)});
+    textures_.make(declaration, list,
+                   {scene_, spectra_, files_, warnings_, from_camera_position(state_.frame.world_from_object)});
 }
 
 void SceneBuilder::area_light_source(const SourcePlace&, ParameterList list) {
@@ -170,7 +176,7 @@ void SceneBuilder::light_source(const SourcePlace&, ParameterList list) {
     inherit(AttributeTarget::light, light_table(), list);
     warn_of_motion(list.place, "the light");
     scene_.lights.push_back(
-        read_light(list, {from_camera_position(state_.frame.world_from_object), spectra_, files_, scene_.warnings}));
+        read_light(list, {from_camera_position(state_.frame.world_from_object), spectra_, files_, warnings_}));
 }
 
 void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
@@ -182,7 +188,7 @@ void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
     ShapeFrame frame = state_.frame;
     frame.world_from_object = open_object_ ? frame.world_from_object * translation(-object_origins_.at(*open_object_))
                                            : from_camera_position(frame.world_from_object);
-    for (Geometry& geometry : read_shape(list, frame, {files_, scene_.warnings})) add_shape(std::move(geometry));
+    for (Geometry& geometry : read_shape(list, frame, {files_, warnings_})) add_shape(std::move(geometry));
 }
 
 void SceneBuilder::add_shape(Geometry geometry) {
@@ -252,10 +258,6 @@ void SceneBuilder::leave_out_interfaces(std::vector<Shape>& shapes) {
     std::erase_if(shapes, is_interface);
 }
 
-void SceneBuilder::warn(const SourcePlace& place, const std::string& what) {
-    scene_.warnings.push_back(to_text(place) + ": " + what);
-}
-
 Scene SceneBuilder::finish(const SourcePlace& end) {
     if (!world_begin_) throw SceneError(end, "the end of the file", "WorldBegin");
     require_closed_blocks();
@@ -271,6 +273,7 @@ Scene SceneBuilder::finish(const SourcePlace& end) {
     if (scene_.lights.empty() && std::none_of(scene_.shapes.begin(), scene_.shapes.end(), emits)) {
         warn(*world_begin_, "there is no light: the picture will be black");
     }
+    scene_.warnings = warnings_.list();
     return std::move(scene_);
 }
 

@@ -19,6 +19,7 @@
 #include "pathtracer/scene_shapes.h"
 #include "pathtracer/scene_spectra.h"
 #include "pathtracer/scene_textures.h"
+#include "pathtracer/scene_warnings.h"
 
 namespace emulsion {
 
@@ -35,8 +36,8 @@ struct GraphicsState {
     Imath::M44d world_from_object_at_end;  ///< and as it closes
     ActiveTransform active = ActiveTransform::all;
     ColorSpace color_space = ColorSpace::srgb;
-    /// By AttributeTarget, in the order given; null: none.
-    std::array<std::shared_ptr<const std::vector<SceneParameter>>, kAttributeTargets> attributes;
+    /// By AttributeTarget; null: none. States share them: they may be changed by who holds them alone.
+    std::array<std::shared_ptr<InheritedParameters>, kAttributeTargets> attributes;
     int material = -1;  ///< index into Scene::materials; -1: pbrt-v4's default
     std::shared_ptr<const AreaLightSource> area_light;
 };
@@ -47,7 +48,7 @@ enum class SceneBlock { options, world };
 /// directive, unless it says otherwise.
 class SceneBuilder {
   public:
-    explicit SceneBuilder(std::filesystem::path folder) : files_(std::move(folder)), spectra_(files_) {}
+    explicit SceneBuilder(std::filesystem::path folder) : files_(std::move(folder)), spectra_(files_, warnings_) {}
     SceneBuilder(const SceneBuilder&) = delete;
     SceneBuilder& operator=(const SceneBuilder&) = delete;
     ~SceneBuilder() = default;
@@ -153,9 +154,10 @@ class SceneBuilder {
     /// Rays pass them, so they need not be there. pbrt-v4's path integrator lets them cast shadows; ours does not.
     void leave_out_interfaces(std::vector<Shape>& shapes);
     void resolve_instances();
-    void warn(const SourcePlace& place, const std::string& what);
+    void warn(const SourcePlace& place, const std::string& what) { warnings_.add(place, what); }
 
     Scene scene_;
+    SceneWarnings warnings_;
     double exposure_time_s_ = 1.0;  // of the camera
     std::optional<int> sampler_seed_;
     GlobalOptions options_;

@@ -84,21 +84,32 @@ void SceneBuilder::color_space(const SourcePlace& place_of_name, const std::stri
 }
 
 void SceneBuilder::attribute(const SourcePlace&, ParameterList list) {
+    using Table = const ImplementationTable& (*)();
     struct Target {
         std::string_view name;
         AttributeTarget target;
+        std::array<Table, 2> tables;  // of those who take them; null: no more
     };
-    constexpr auto kTargets = std::to_array<Target>({{"shape", AttributeTarget::shape},
-                                                     {"light", AttributeTarget::light},
-                                                     {"material", AttributeTarget::material},
-                                                     {"medium", AttributeTarget::medium},
-                                                     {"texture", AttributeTarget::texture}});
+    constexpr auto kTargets = std::to_array<Target>(
+        {{"shape", AttributeTarget::shape, {shape_table}},
+         {"light", AttributeTarget::light, {light_table, area_light_table}},
+         {"material", AttributeTarget::material, {material_table}},
+         {"medium", AttributeTarget::medium, {}},
+         {"texture", AttributeTarget::texture, {float_texture_table, reflectance_texture_table}}});
     const auto& row = supported_row<Target>(list.place, {"attribute target"}, list.owner, kTargets);
     auto& attributes = state_.attributes.at(static_cast<std::size_t>(row.target));
-    // Others hold the present ones: they are copied, not changed.
-    auto extended = attributes ? *attributes : std::vector<SceneParameter>();
-    std::move(list.parameters.begin(), list.parameters.end(), std::back_inserter(extended));
-    attributes = std::make_shared<const std::vector<SceneParameter>>(std::move(extended));
+    if (!attributes) {
+        attributes = std::make_shared<InheritedParameters>();
+    } else if (attributes.use_count() > 1) {
+        attributes = std::make_shared<InheritedParameters>(*attributes);
+    }
+    for (SceneParameter& parameter : list.parameters) {
+        // What nobody takes is not kept, so that the names that are kept are few.
+        const auto knows = [&](Table table) { return table != nullptr && knows_parameter(table(), parameter.name); };
+        if (std::ranges::none_of(row.tables, knows)) continue;
+        auto& kept = (*attributes)[parameter.name];
+        kept = std::make_shared<const SceneParameter>(std::move(parameter));
+    }
 }
 
 void SceneBuilder::inherit(AttributeTarget target, const ImplementationTable& table, ParameterList& list) const {

@@ -102,11 +102,13 @@ constexpr auto kReaders = std::to_array<CameraReader>(
 
 }  // namespace
 
-Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, double& exposure_time_s) {
+Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world, double& exposure_time_s,
+                   SceneWarnings& warnings) {
     check_parameters(camera_table(), list);
     const double time_s = real_or(list, "shutterclose", 1.0) - real_or(list, "shutteropen", 0.0);
+    if (time_s < 0.0) warnings.add(list.place, "the shutter closes before it opens: taken the other way round");
     exposure_time_s =
-        checked_exposure(list.place, time_s, "an exposure time of", R"("shutterclose" after "shutteropen")");
+        checked_exposure(list.place, std::abs(time_s), "an exposure time of", R"("shutterclose" after "shutteropen")");
     return supported_row<CameraReader>(list.place, {"camera"}, list.owner, kReaders)
         .read(list, read_world_from_camera(list, camera_from_world));
 }

@@ -5,12 +5,14 @@
 
 #include "pathtracer/scene_camera.h"
 #include "pathtracer/scene_parameters.h"
+#include "pathtracer/scene_warnings.h"
 
 namespace emulsion {
 
-/// The exposure time is shutterclose - shutteropen; nothing moves meanwhile.
+/// The exposure time is shutterclose - shutteropen, or the other way round if that is less than 0, as in pbrt-v4;
+/// nothing moves meanwhile.
 /// \throws SceneError naming the token at fault.
 [[nodiscard]] Camera read_camera(const ParameterList& list, const Imath::M44d& camera_from_world,
-                                 double& exposure_time_s);
+                                 double& exposure_time_s, SceneWarnings& warnings);
 
 }  // namespace emulsion

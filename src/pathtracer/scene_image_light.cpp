@@ -9,12 +9,9 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/units.h"
 #include "pathtracer/equal_area.h"
+#include "pathtracer/scene_color_space.h"
 #include "pathtracer/texture_image.h"
-#include "spectrum/colorimetry.h"
-#include "spectrum/named_spectra.h"
-#include "spectrum/rgb_space.h"
 
 namespace emulsion {
 
@@ -38,7 +35,7 @@ Imath::M44d rotation_of(const Imath::M44d& ctm, const SourcePlace& place) {
     return {i.x, i.y, i.z, 0, j.x, j.y, j.z, 0, k.x, k.y, k.z, 0, 0, 0, 0, 1};
 }
 
-Image<RGB> read_picture(const SceneParameter& file, const LightContext& context) {
+RgbTexels read_texels(const SceneParameter& file, const LightContext& context) {
     const std::string& name = file.strings.front();
     try {
         const std::filesystem::path path = context.files.path_of(name);
@@ -50,9 +47,9 @@ Image<RGB> read_picture(const SceneParameter& file, const LightContext& context)
     }
 }
 
-/// What a surface that looks up gets of texels that shine with D65 of luminance 1, by pbrt-v4's sum.
-double illuminance_of(const Image<RGB>& texels) {
-    const std::array<double, 3> luminance = xyz_from_rgb(rgb_space("sRGB")).m[1];
+/// What a surface that looks up gets of texels whose (1, 1, 1) has the luminance 1, by pbrt-v4's sum.
+double illuminance_of(const Image<RGB>& texels, ColorSpace space) {
+    const std::array<double, 3> luminance = xyz_from_rgb(rgb_space_of(space)).m[1];
     const int size = texels.width();
     double sum = 0.0;
     for (int y = 0; y < size; ++y) {
@@ -93,28 +90,34 @@ Light read_image_light(const ParameterList& list, const LightContext& context) {
     }
     ImageInfiniteLight light;
     light.world_from_light = rotation_of(context.world_from_object, list.place);
-    Image<RGB> texels = read_picture(file, context);
+    RgbTexels picture = read_texels(file, context);
+    if (!picture.note.empty()) {
+        context.warnings.add(file.first_value,
+                             fmt::format("picture {}: {}", quote(file.strings.front()), picture.note));
+    }
+    Image<RGB>& texels = picture.texels;
     if (texels.width() != texels.height()) {
         throw SceneError(file.first_value, fmt::format("a picture of {} x {} texels", texels.width(), texels.height()),
                          "a square one, of all directions in the equal-area mapping");
     }
 
     double luminance_cdm2 = real_or(list, "scale", 1.0);
-    if (find_parameter(list, "illuminance") != nullptr) {
-        const double illuminance = illuminance_of(texels);
+    if (const double illuminance_lx = real_or(list, "illuminance", 0.0); illuminance_lx > 0.0) {
+        const double illuminance = illuminance_of(texels, picture.space);
         if (!(illuminance > 0.0)) {
             throw SceneError(file.first_value, "a picture without light from above", "some, for an \"illuminance\"");
         }
-        luminance_cdm2 *= real_or(list, "illuminance", 0.0) / illuminance;
+        luminance_cdm2 *= illuminance_lx / illuminance;
     }
     if (const std::size_t count = clamp_negative(texels); count > 0) {
-        context.warnings.push_back(to_text(file.first_value) +
-                                   fmt::format(": {} texels have a negative component, which is taken for 0", count));
+        context.warnings.add(file.first_value,
+                             fmt::format("{} texels have a negative component, which is taken for 0", count));
     }
 
-    // Lights of pictures are those of sRGB, whatever ColorSpace says.
-    light.illuminant.spectrum = named_spectrum("stdillum-D65").value();
-    light.illuminant.scale = luminance_cdm2 / (kLuminousEfficacy * light_normalisation(light.illuminant.spectrum));
+    // The picture's own space counts, whatever ColorSpace says.
+    light.space = picture.space;
+    light.illuminant = context.spectra.default_light(picture.space);
+    light.illuminant.scale *= luminance_cdm2;
     ScaledSpectrum brightest = light.illuminant;
     brightest.scale *= std::max(1.0, 2.0 * static_cast<double>(largest_component(texels)));
     check_brightness(brightest, list.place);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,6 @@
 namespace emulsion {
 
 namespace {
-
-void warn(const TextureContext& context, const SourcePlace& place, const std::string& what) {
-    context.scene.warnings.push_back(to_text(place) + ": " + what);
-}
 
 TextureWrap read_wrap(const ParameterList& list) {
     const std::string wrap = string_or(list, "wrap", "repeat");
@@ -43,9 +40,10 @@ TextureEncoding read_encoding(const ParameterList& list, PictureFormat format, c
     if (parameter == nullptr) return SrgbTransfer{};
     const std::string& text = parameter->strings.front();
     if (format != PictureFormat::png) {
-        warn(context, parameter->place,
-             fmt::format("the encoding {} is that of PNG pictures only, as in pbrt-v4: {}", quote(text),
-                         format == PictureFormat::jpeg ? "a JPEG is taken as sRGB" : "the file's numbers are linear"));
+        context.warnings.add(
+            parameter->place,
+            fmt::format("the encoding {} is that of PNG pictures only, as in pbrt-v4: {}", quote(text),
+                        format == PictureFormat::jpeg ? "a JPEG is taken as sRGB" : "the file's numbers are linear"));
     }
     if (text == "sRGB") return SrgbTransfer{};
     if (text == "linear") return LinearTransfer{};
@@ -56,13 +54,46 @@ TextureEncoding read_encoding(const ParameterList& list, PictureFormat format, c
                      fmt::format("sRGB, linear, or gamma and an exponent from {} to {}", range.min, range.max));
 }
 
-std::string key_of(const std::filesystem::path& path, const TextureEncoding& encoding, TextureFilter filter) {
+std::string key_of(const std::filesystem::path& path, const TextureEncoding& encoding, TextureFilter filter,
+                   TextureWrap wrap) {
     const auto* const gamma = std::get_if<GammaTransfer>(&encoding);
-    return fmt::format("{} {} {} {}", encoding.index(), gamma == nullptr ? 0.0 : gamma->exponent,
-                       static_cast<int>(filter), path.string());
+    return fmt::format("{} {} {} {} {}", encoding.index(), gamma == nullptr ? 0.0 : gamma->exponent,
+                       static_cast<int>(filter), static_cast<int>(wrap), path.string());
+}
+
+/// What the file's pictures are to a texture of numbers, or of reflectances.
+template <class Texel>
+TextureImage<Texel> read_image(const SceneParameter& file, const TextureEncoding& encoding, TextureFilter filter,
+                               TextureWrap wrap, const TextureContext& context) {
+    const std::string& name = file.strings.front();
+    const std::filesystem::path path = context.files.path_of(name);
+    const std::string bytes = context.files.read(name);
+    if constexpr (std::is_same_v<Texel, float>) {
+        return {path, read_number_texels(path, bytes, encoding, filter, wrap)};
+    } else {
+        RgbTexels read = read_rgb_texels(path, bytes, encoding, wrap);
+        if (!read.note.empty()) {
+            context.warnings.add(file.first_value, fmt::format("picture {}: {}", quote(name), read.note));
+        }
+        return {path, std::move(read.texels), read.space};
+    }
 }
 
 }  // namespace
+
+namespace {
+
+Imath::M44d texture_from_world(const ParameterList& list, std::string_view mapping, const TextureContext& context) {
+    if (const std::optional<Imath::M44d> inverse = inverse_of(context.world_from_texture)) return *inverse;
+    throw SceneError(list.place, fmt::format("a {} mapping in a space that can't be reached", mapping),
+                     "a transformation that double precision can undo");
+}
+
+}  // namespace
+
+SolidTextureMapping read_solid_mapping(const ParameterList& list, const TextureContext& context) {
+    return {texture_from_world(list, "solid", context)};
+}
 
 TextureMapping read_texture_mapping(const ParameterList& list, const TextureContext& context) {
     const std::string mapping = string_or(list, "mapping", "uv");
@@ -70,15 +101,11 @@ TextureMapping read_texture_mapping(const ParameterList& list, const TextureCont
     if (mapping == "uv") {
         return UvMapping{real_or(list, "uscale", 1.0), real_or(list, "vscale", 1.0), delta_u, delta_v};
     }
-    const std::optional<Imath::M44d> texture_from_world = inverse_of(context.world_from_texture);
-    if (!texture_from_world) {
-        throw SceneError(list.place, fmt::format("a {} mapping in a space that can't be reached", mapping),
-                         "a transformation that double precision can undo");
-    }
-    if (mapping == "spherical") return SphericalTextureMapping{*texture_from_world};
-    if (mapping == "cylindrical") return CylindricalTextureMapping{*texture_from_world};
-    return PlanarTextureMapping{*texture_from_world, point_or(list, "v1", {1.0, 0.0, 0.0}),
-                                point_or(list, "v2", {0.0, 1.0, 0.0}), delta_u, delta_v};
+    const Imath::M44d inverse = texture_from_world(list, mapping, context);
+    if (mapping == "spherical") return SphericalTextureMapping{inverse};
+    if (mapping == "cylindrical") return CylindricalTextureMapping{inverse};
+    return PlanarTextureMapping{inverse, point_or(list, "v1", {1.0, 0.0, 0.0}), point_or(list, "v2", {0.0, 1.0, 0.0}),
+                                delta_u, delta_v};
 }
 
 template <>
@@ -90,6 +117,19 @@ ImagemapReader::Images<RGB>& ImagemapReader::images() noexcept {
     return rgb_images_;
 }
 
+TextureFilter ImagemapReader::read_filter(const ParameterList& list, const TextureContext& context) {
+    const std::string filter = string_or(list, "filter", "bilinear");
+    if (filter == "point") return TextureFilter::nearest;
+    if (filter == "bilinear") return TextureFilter::bilinear;
+    if (!std::exchange(warned_of_filter_, true)) {
+        context.warnings.add(find_parameter(list, "filter")->place,
+                             fmt::format("the filter {} is that of no level but the picture itself, here and further "
+                                         "on: textures are not filtered over pixels but by the samples of pixels",
+                                         quote(filter)));
+    }
+    return filter == "trilinear" ? TextureFilter::bilinear : TextureFilter::gaussian;
+}
+
 template <class Texel>
 ImageTexture<Texel> ImagemapReader::read(const ParameterList& list, const TextureContext& context) {
     ImageTexture<Texel> texture;
@@ -98,15 +138,7 @@ ImageTexture<Texel> ImagemapReader::read(const ParameterList& list, const Textur
     texture.scale = real_or(list, "scale", 1.0);
     texture.invert = flag_or(list, "invert", Flag::off) == Flag::on;
 
-    const std::string filter = string_or(list, "filter", "bilinear");
-    texture.filter = filter == "point" ? TextureFilter::nearest : TextureFilter::bilinear;
-    if (filter != "point" && filter != "bilinear" && !warned_of_filter_) {
-        warned_of_filter_ = true;
-        warn(context, find_parameter(list, "filter")->place,
-             fmt::format("the filter {} is taken as \"bilinear\", here and further on: textures are not filtered over "
-                         "pixels but by the samples of pixels",
-                         quote(filter)));
-    }
+    texture.filter = read_filter(list, context);
 
     const SceneParameter* const file = find_parameter(list, "filename");
     if (file == nullptr) throw SceneError(list.place, "an imagemap without a file", "a parameter \"string filename\"");
@@ -114,16 +146,10 @@ ImageTexture<Texel> ImagemapReader::read(const ParameterList& list, const Textur
     const std::filesystem::path path = context.files.path_of(name);
     try {
         const TextureEncoding encoding = read_encoding(list, picture_format(path), context);
-        auto& image = images<Texel>()[key_of(path, encoding, texture.filter)];
+        auto& image = images<Texel>()[key_of(path, encoding, texture.filter, texture.wrap)];
         if (!image) {
-            const std::string bytes = context.files.read(name);
-            if constexpr (std::is_same_v<Texel, float>) {
-                image = std::make_shared<const TextureImage<float>>(
-                    TextureImage<float>{path, read_number_texels(path, bytes, encoding, texture.filter)});
-            } else {
-                image = std::make_shared<const TextureImage<RGB>>(
-                    TextureImage<RGB>{path, read_rgb_texels(path, bytes, encoding)});
-            }
+            image = std::make_shared<const TextureImage<Texel>>(
+                read_image<Texel>(*file, encoding, texture.filter, texture.wrap, context));
         }
         texture.image = image;
     } catch (const IoError& error) {

@@ -15,10 +15,13 @@ namespace emulsion {
 /// \throws SceneError if the current transformation can't be undone.
 [[nodiscard]] TextureMapping read_texture_mapping(const ParameterList& list, const TextureContext& context);
 
+/// Those of a checkerboard in three dimensions. \throws SceneError likewise.
+[[nodiscard]] SolidTextureMapping read_solid_mapping(const ParameterList& list, const TextureContext& context);
+
 /// Reads the pictures of one scene, each once for each way in which its values are taken.
 class ImagemapReader {
   public:
-    /// Filters that take the ray's footprint are taken for "bilinear" (texture_lookup.h), and an encoding of a picture
+    /// Filters that take the ray's footprint do as if it were small (texture_lookup.h), and an encoding of a picture
     /// that is no PNG for the picture's own; the scene's warnings say so.
     /// \throws SceneError for a picture that can't be read.
     template <class Texel>
@@ -29,6 +32,7 @@ class ImagemapReader {
     using Images = std::map<std::string, std::shared_ptr<const TextureImage<Texel>>>;
     template <class Texel>
     [[nodiscard]] Images<Texel>& images() noexcept;
+    [[nodiscard]] TextureFilter read_filter(const ParameterList& list, const TextureContext& context);
 
     Images<float> number_images_;
     Images<RGB> rgb_images_;

@@ -11,6 +11,7 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "pathtracer/scene_color_space.h"
 #include "spectrum/spectrum.h"
 
 namespace emulsion {
@@ -61,6 +62,7 @@ struct ImageInfiniteLight {
     std::shared_ptr<const Image<RGB>> texels;  ///< linear RGB, >= 0
     ScaledSpectrum illuminant;                 ///< W m^-2 sr^-1 nm^-1 of the texel (1, 1, 1)
     Imath::M44d world_from_light;              ///< of directions: a rotation, maybe mirrored
+    ColorSpace space = ColorSpace::srgb;       ///< of the texels
 };
 
 using Light = std::variant<PointLight, SpotLight, DistantLight, UniformInfiniteLight, ImageInfiniteLight>;

@@ -14,8 +14,8 @@ using enum Support;
 constexpr ParameterSpec kRadiance = {.name = "L", .kind = spectrum};
 constexpr ParameterSpec kIntensity = {.name = "I", .kind = spectrum};
 constexpr ParameterSpec kScale = {.name = "scale", .range = not_negative};
-constexpr ParameterSpec kPower = {.name = "power", .range = positive};
-constexpr ParameterSpec kIlluminance = {.name = "illuminance", .range = positive};
+constexpr ParameterSpec kPower = {.name = "power"};
+constexpr ParameterSpec kIlluminance = {.name = "illuminance"};
 constexpr ParameterSpec kFrom = {.name = "from", .kind = point3};
 constexpr ParameterSpec kTo = {.name = "to", .kind = point3};
 

@@ -30,6 +30,12 @@ ScaledSpectrum scaled_light(const ParameterList& list, std::string_view name, do
     return light;
 }
 
+/// A factor that is only there if it is above 0, as in pbrt-v4.
+std::optional<double> given_above_0(const ParameterList& list, std::string_view name) {
+    const double value = real_or(list, name, 0.0);
+    return value > 0.0 ? std::optional(value) : std::nullopt;
+}
+
 Imath::V3d position_of(const ParameterList& list, const LightContext& context) {
     const Imath::V3d from = point_or(list, "from", Imath::V3d(0.0));
     const Imath::V3d position = transform_point(context.world_from_object, from);
@@ -42,7 +48,7 @@ Imath::V3d position_of(const ParameterList& list, const LightContext& context) {
 
 Light read_point_light(const ParameterList& list, const LightContext& context) {
     double intensity_cd = real_or(list, "scale", 1.0);
-    if (find_parameter(list, "power") != nullptr) intensity_cd *= real_or(list, "power", 0.0) / (4.0 * kPi);
+    if (const auto power_lm = given_above_0(list, "power")) intensity_cd *= *power_lm / (4.0 * kPi);
     return PointLight{position_of(list, context), scaled_light(list, "I", intensity_cd, context.spectra)};
 }
 
@@ -83,9 +89,10 @@ Light read_spot_light(const ParameterList& list, const LightContext& context) {
         throw SceneError(find_parameter(list, "coneangle")->first_value, fmt::format("a cone of {} degrees", cone_deg),
                          "at most 180 from the axis");
     }
-    if (delta_deg > cone_deg) {
+    // As pbrt-v4 has it, an angle below 0, where the light would start to fade, is as good as one above.
+    if (delta_deg > 2.0 * cone_deg) {
         throw SceneError(list.place, fmt::format("a cone of {} degrees that fades over {}", cone_deg, delta_deg),
-                         "a conedeltaangle of at most the coneangle");
+                         "a conedeltaangle of at most twice the coneangle: pbrt-v4 turns the cone inside out");
     }
     SpotLight light;
     light.position = position_of(list, context);
@@ -93,15 +100,15 @@ Light read_spot_light(const ParameterList& list, const LightContext& context) {
     light.cos_none = std::cos(cone_deg * kPi / 180.0);
     light.cos_full = std::cos((cone_deg - delta_deg) * kPi / 180.0);
     double intensity_cd = real_or(list, "scale", 1.0);
-    if (find_parameter(list, "power") != nullptr) {
-        intensity_cd *= real_or(list, "power", 0.0) / spot_solid_angle(light.cos_full, light.cos_none);
+    if (const auto power_lm = given_above_0(list, "power")) {
+        intensity_cd *= *power_lm / spot_solid_angle(light.cos_full, light.cos_none);
     }
     light.intensity = scaled_light(list, "I", intensity_cd, context.spectra);
     return light;
 }
 
 Light read_distant_light(const ParameterList& list, const LightContext& context) {
-    const double illuminance_lx = real_or(list, "scale", 1.0) * real_or(list, "illuminance", 1.0);
+    const double illuminance_lx = real_or(list, "scale", 1.0) * given_above_0(list, "illuminance").value_or(1.0);
     const Imath::V3d from = point_or(list, "from", Imath::V3d(0.0));
     const Imath::V3d to = point_or(list, "to", Imath::V3d(0.0, 0.0, 1.0));
     const Imath::V3d to_light = transform_vector(context.world_from_object, from - to);
@@ -116,7 +123,7 @@ Light read_distant_light(const ParameterList& list, const LightContext& context)
 Light read_infinite_light(const ParameterList& list, const LightContext& context) {
     if (find_parameter(list, "filename") != nullptr) return read_image_light(list, context);
     double luminance_cdm2 = real_or(list, "scale", 1.0);
-    if (find_parameter(list, "illuminance") != nullptr) luminance_cdm2 *= real_or(list, "illuminance", 0.0) / kPi;
+    if (const auto illuminance_lx = given_above_0(list, "illuminance")) luminance_cdm2 *= *illuminance_lx / kPi;
     return UniformInfiniteLight{scaled_light(list, "L", luminance_cdm2, context.spectra)};
 }
 
@@ -148,7 +155,7 @@ AreaLightSource read_area_light(const ParameterList& list, SpectrumReader& spect
     check_parameters(area_light_table(), list);
     AreaLightSource source;
     source.radiance = scaled_light(list, "L", real_or(list, "scale", 1.0), spectra);
-    if (find_parameter(list, "power") != nullptr) source.power_lm = real_or(list, "power", 0.0);
+    source.power_lm = given_above_0(list, "power");
     source.two_sided = flag_or(list, "twosided", Flag::off) == Flag::on;
     source.place = list.place;
     return source;

@@ -2,12 +2,10 @@
 // LightSource and AreaLightSource. All light spectra are normalised as pbrt-v4 does: `scale` is luminance in cd/m^2 (an
 // L of area and infinite lights), intensity in cd (I of point and spot lights), illuminance in lux (L of distant
 // lights), for a spectrum as such or an RGB light that is white. `power` in lumen and `illuminance` in lux multiply
-// with it.
+// with it, if they are above 0: else they are as good as not there.
 
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include <Imath/ImathMatrix.h>
 
@@ -15,6 +13,7 @@
 #include "pathtracer/scene_files.h"
 #include "pathtracer/scene_parameters.h"
 #include "pathtracer/scene_spectra.h"
+#include "pathtracer/scene_warnings.h"
 
 namespace emulsion {
 
@@ -24,7 +23,7 @@ struct LightContext {
     Imath::M44d world_from_object;
     SpectrumReader& spectra;
     SceneFiles& files;
-    std::vector<std::string>& warnings;
+    SceneWarnings& warnings;
 };
 
 /// \throws SceneError for parameters that make no light, and for a picture that can't be read.

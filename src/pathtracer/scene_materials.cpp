@@ -25,7 +25,7 @@ class MaterialReader {
                 throw SceneError(other->place, fmt::format("\"{}\" beside \"reflectance\"", other->name),
                                  "either the reflectance, or eta and k");
             }
-            return ConductorMaterial{context_.textures.reflectance_parameter(*given, context_.spectra), roughness()};
+            return ConductorMaterial{reflectance(given->name, 0.0), roughness()};
         }
         const auto or_copper = [this](const SceneParameter* parameter, std::string_view name) {
             return parameter != nullptr ? context_.spectra.index_of_refraction(*parameter)
@@ -38,8 +38,9 @@ class MaterialReader {
     [[nodiscard]] Material thin_dielectric() const { return ThinDielectricMaterial{eta()}; }
 
     [[nodiscard]] Material diffuse_transmission() const {
-        return DiffuseTransmissionMaterial{reflectance("reflectance", 0.25), reflectance("transmittance", 0.25),
-                                           real_or(list_, "scale", 1.0)};
+        // Clamped once they are scaled, as in pbrt-v4.
+        return DiffuseTransmissionMaterial{unclamped_reflectance("reflectance", 0.25),
+                                           unclamped_reflectance("transmittance", 0.25), real_or(list_, "scale", 1.0)};
     }
 
     [[nodiscard]] Material coated_diffuse() const {
@@ -68,8 +69,14 @@ class MaterialReader {
     [[nodiscard]] Material interface() const { return InterfaceMaterial{}; }
 
   private:
-    [[nodiscard]] ReflectanceParameter reflectance(std::string_view name, double otherwise) const {
+    [[nodiscard]] ReflectanceParameter unclamped_reflectance(std::string_view name, double otherwise) const {
         return context_.textures.reflectance_or(list_, name, otherwise, context_.spectra);
+    }
+    [[nodiscard]] ReflectanceParameter reflectance(std::string_view name, double otherwise) const {
+        ReflectanceParameter parameter = unclamped_reflectance(name, otherwise);
+        auto* const spectrum = std::get_if<Spectrum>(&parameter);
+        if (spectrum != nullptr) *spectrum = clamped_reflectance(std::move(*spectrum));
+        return parameter;
     }
 
     [[nodiscard]] Spectrum eta() const {

@@ -142,8 +142,7 @@ double double_area(const std::vector<Imath::V3f>& position, const Triangle& tria
 void warn_of_dropped(std::size_t dropped, std::size_t all, std::string_view what, const ParameterList& list,
                      ShapeReading& reading) {
     if (dropped == 0) return;
-    reading.warnings.push_back(
-        fmt::format("{}: {} without area, left out: {} of {}", to_text(list.place), what, dropped, all));
+    reading.warnings.add(list.place, fmt::format("{} without area, left out: {} of {}", what, dropped, all));
 }
 
 void add_triangles(MeshVertices vertices, std::vector<Triangle> triangles, const ParameterList& list,
@@ -237,8 +236,7 @@ std::vector<Geometry> read_ply_mesh(const ParameterList& list, const ShapeFrame&
     PlyMesh ply = read_file(*file, reading);
     const auto warn_of = [&](std::size_t count, std::string_view what) {
         if (count == 0) return;
-        reading.warnings.push_back(
-            fmt::format("{}: {} {}: {}", to_text(file->first_value), quote(file->strings.front()), what, count));
+        reading.warnings.add(file->first_value, fmt::format("{} {}: {}", quote(file->strings.front()), what, count));
     };
     warn_of(ply.other_faces, "has faces of neither three nor four corners, left out");
     warn_of(ply.bad_normals, "has normals that are no numbers, taken as unknown");

@@ -72,8 +72,8 @@ constexpr ParameterSpec kSaveHalf = {.name = "savefp16", .kind = boolean};
 constexpr ParameterSpec kSensor = {.name = "sensor", .kind = string, .choices = kSensors};
 constexpr ParameterSpec kIso = {.name = "iso", .range = positive};
 constexpr ParameterSpec kDiagonal = {.name = "diagonal", .range = positive};  // of the "realistic" camera only
-constexpr ParameterSpec kCropWindow = {.name = "cropwindow", .count = 4, .range = not_negative};
-constexpr ParameterSpec kPixelBounds = {.name = "pixelbounds", .kind = integer, .count = 4, .range = not_negative};
+constexpr ParameterSpec kCropWindow = {.name = "cropwindow", .count = 4};
+constexpr ParameterSpec kPixelBounds = {.name = "pixelbounds", .kind = integer, .count = 4};
 constexpr ParameterSpec kWhiteBalance = {.name = "whitebalance", .range = not_negative};
 constexpr ParameterSpec kMaxComponent = {.name = "maxcomponentvalue", .support = pbrt_only};
 constexpr auto kRgbFilm =
@@ -93,8 +93,23 @@ constexpr auto kSpectralFilm = std::to_array<ParameterSpec>({kXResolution,
                                                              {.name = "lambdamin", .range = positive},
                                                              {.name = "lambdamax", .range = positive},
                                                              kMaxComponent});
+constexpr auto kGeometryFilm =
+    std::to_array<ParameterSpec>({kXResolution,
+                                  kYResolution,
+                                  kFilename,
+                                  kSaveHalf,
+                                  kSensor,
+                                  kIso,
+                                  kDiagonal,
+                                  kCropWindow,
+                                  kPixelBounds,
+                                  kWhiteBalance,
+                                  {.name = "coordinatesystem", .kind = string, .is_ignored = true},
+                                  kMaxComponent});
 constexpr auto kFilms =
-    std::to_array<Implementation>({{"rgb", kRgbFilm}, {"spectral", kSpectralFilm}, {"gbuffer", {}, pbrt_only}});
+    std::to_array<Implementation>({{"rgb", kRgbFilm},
+                                   {"spectral", kSpectralFilm},
+                                   {.name = "gbuffer", .parameters = kGeometryFilm, .taken_as = "rgb"}});
 constexpr ImplementationTable kFilmTable = {"film", kFilms};
 
 // --- Sampler

@@ -52,35 +52,39 @@ std::optional<WhiteBalance> read_white_balance(const ParameterList& list) {
     return balance;
 }
 
-/// Whether four numbers x0, x1, y0, y1 are an area within these bounds.
-bool is_area(const std::vector<double>& numbers, double width, double height) noexcept {
-    return numbers[0] < numbers[1] && numbers[1] <= width && numbers[2] < numbers[3] && numbers[3] <= height;
+/// Two numbers in rising order, brought into [0, most].
+std::array<double, 2> range_of(double a, double b, double most) noexcept {
+    const auto [low, high] = std::minmax(a, b);
+    return {std::clamp(low, 0.0, most), std::clamp(high, 0.0, most)};
 }
 
-void read_crop(const ParameterList& list, FilmSettings& film) {
+/// As pbrt-v4 reads four numbers x0, x1, y0, y1: in any order, and cut off at the frame's sides.
+/// \throws SceneError if nothing is left.
+std::array<double, 4> read_area(const SceneParameter& parameter, double width, double height, SceneWarnings& warnings) {
+    const std::vector<double>& n = parameter.numbers;
+    const auto [x0, x1] = range_of(n[0], n[1], width);
+    const auto [y0, y1] = range_of(n[2], n[3], height);
+    if (!(x0 < x1) || !(y0 < y1)) {
+        throw SceneError(parameter.first_value, fmt::format("a {} of {}", parameter.name, fmt::join(n, " ")),
+                         fmt::format("x0 < x1 and y0 < y1, in this order, from 0 to {:g} and to {:g}", width, height));
+    }
+    const std::array<double, 4> area = {x0, x1, y0, y1};
+    if (!std::equal(area.begin(), area.end(), n.begin())) {
+        warnings.add(parameter.first_value, fmt::format("\"{}\" [ {} ] is taken as {}", parameter.name,
+                                                        fmt::join(n, " "), fmt::join(area, " ")));
+    }
+    return area;
+}
+
+void read_crop(const ParameterList& list, FilmSettings& film, SceneWarnings& warnings) {
     const SceneParameter* const window = find_parameter(list, "cropwindow");
     const SceneParameter* const bounds = find_parameter(list, "pixelbounds");
-    if (window != nullptr && bounds != nullptr) {
-        throw SceneError(bounds->place, R"("pixelbounds" beside "cropwindow")", "one of the two");
-    }
-    if (window != nullptr) {
-        const std::vector<double>& n = window->numbers;
-        if (!is_area(n, 1.0, 1.0)) {
-            throw SceneError(window->first_value, fmt::format("a crop window of {}", fmt::join(n, " ")),
-                             "x0 < x1 and y0 < y1, in this order, from 0 to 1");
-        }
-        film.crop_window = {n[0], n[1], n[2], n[3]};
-    }
-    if (bounds != nullptr) {
-        const std::vector<double>& n = bounds->numbers;
-        if (!is_area(n, film.width_px, film.height_px)) {
-            throw SceneError(
-                bounds->first_value, fmt::format("pixel bounds of {}", fmt::join(n, " ")),
-                fmt::format("x0 < x1 <= {} and y0 < y1 <= {}, in this order", film.width_px, film.height_px));
-        }
-        film.pixel_bounds = {static_cast<int>(n[0]), static_cast<int>(n[2]), static_cast<int>(n[1]),
-                             static_cast<int>(n[3])};
-    }
+    if (window != nullptr) film.crop_window = read_area(*window, 1.0, 1.0, warnings);
+    if (bounds == nullptr) return;
+    if (window != nullptr) return warnings.add(bounds->place, R"("pixelbounds" have no effect beside "cropwindow")");
+    const std::array<double, 4> n = read_area(*bounds, film.width_px, film.height_px, warnings);
+    film.pixel_bounds = {static_cast<int>(n[0]), static_cast<int>(n[2]), static_cast<int>(n[1]),
+                         static_cast<int>(n[3])};
 }
 
 template <class T>
@@ -189,8 +193,12 @@ double checked_exposure(const SourcePlace& place, double value, std::string_view
     throw SceneError(place, fmt::format("{} {}", what, value), std::string(expected));
 }
 
-void read_film(const ParameterList& list, FilmSettings& film) {
-    check_parameters(film_table(), list);
+void read_film(const ParameterList& list, FilmSettings& film, SceneWarnings& warnings) {
+    const Implementation& given = check_parameters(film_table(), list);
+    if (!given.taken_as.empty()) {
+        warnings.add(list.place, fmt::format("film {} is taken as {}: the same picture without layers of its own",
+                                             quote(given.name), quote(given.taken_as)));
+    }
     film = {};
     film.width_px = integer_up_to(kMostPixels, list, "xresolution", film.width_px);
     film.height_px = integer_up_to(kMostPixels, list, "yresolution", film.height_px);
@@ -199,7 +207,7 @@ void read_film(const ParameterList& list, FilmSettings& film) {
         throw SceneError(list.place, fmt::format("{} x {} pixels", film.width_px, film.height_px),
                          fmt::format("at most {} in all", std::numeric_limits<int>::max()));
     }
-    read_crop(list, film);
+    read_crop(list, film, warnings);
     film.filename = string_or(list, "filename", "");
     film.pixel_type = flag_or(list, "savefp16", Flag::off) == Flag::on ? PixelType::half : PixelType::float32;
     film.sensor.iso = checked_exposure(list.place, real_or(list, "iso", 100.0), "an ISO speed of",

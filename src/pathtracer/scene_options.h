@@ -3,8 +3,7 @@
 // those of pbrt-v4, but for three defaults: the sampler is "paddedsobol" of 16 samples, the integrator "path", which
 // give the picture that pbrt-v4's "zsobol" and "volpath" do, and films are stored as 32-bit floats unless "bool
 // savefp16" true says otherwise. Other samplers and integrators of the same picture are taken as these. PixelFilter
-// takes two filters more: "catmull-rom" and "blackman-harris". A crop window that leaves the frame is an error, not cut
-// off, and so are "cropwindow" and "pixelbounds" together. The sensor is "cie1931": pbrt-v4's digital cameras are
+// takes two filters more: "catmull-rom" and "blackman-harris". The sensor is "cie1931": pbrt-v4's digital cameras are
 // refused, as there are no curves of them here.
 
 #include <optional>
@@ -12,13 +11,14 @@
 
 #include "pathtracer/scene.h"
 #include "pathtracer/scene_parameters.h"
+#include "pathtracer/scene_warnings.h"
 
 namespace emulsion {
 
 /// Reads one directive. The film's sensor gets its exposure time later, as camera and film come in any order.
 /// "whitebalance" is a nominal temperature, as in the names of the D illuminants, and 0 means none.
 /// \throws SceneError naming the token at fault, as all of these do.
-void read_film(const ParameterList& list, FilmSettings& film);
+void read_film(const ParameterList& list, FilmSettings& film, SceneWarnings& warnings);
 
 struct ReadSampler {
     Sampler sampler;

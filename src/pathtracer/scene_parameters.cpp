@@ -162,17 +162,25 @@ ColorSpace color_space_of(const SourcePlace& place, std::string_view name) {
     return supported_row<SpaceName>(place, {"colour space"}, key, kSpaces).space;
 }
 
-void inherit_parameters(const ImplementationTable& table, ParameterList& list,
-                        const std::vector<SceneParameter>& inherited) {
-    const auto named = [](std::string_view name) { return [name](const auto& row) { return row.name == name; }; };
-    const auto owner = std::find_if(table.implementations.begin(), table.implementations.end(), named(list.owner));
+namespace {
+
+bool has_parameter(const Implementation& implementation, std::string_view name) noexcept {
+    return std::ranges::any_of(implementation.parameters, [name](const auto& row) { return row.name == name; });
+}
+
+}  // namespace
+
+bool knows_parameter(const ImplementationTable& table, std::string_view name) noexcept {
+    return std::ranges::any_of(table.implementations, [name](const auto& row) { return has_parameter(row, name); });
+}
+
+void inherit_parameters(const ImplementationTable& table, ParameterList& list, const InheritedParameters& inherited) {
+    const auto owner =
+        std::ranges::find_if(table.implementations, [&](const auto& row) { return row.name == list.owner; });
     if (owner == table.implementations.end()) return;  // an error that is found later
-    for (std::size_t i = inherited.size(); i-- > 0;) {
-        const SceneParameter& parameter = inherited[i];
-        const auto& known = owner->parameters;
-        if (find_parameter(list, parameter.name) != nullptr) continue;
-        if (std::none_of(known.begin(), known.end(), named(parameter.name))) continue;
-        list.parameters.push_back(parameter);
+    for (const auto& [name, parameter] : inherited) {
+        if (find_parameter(list, name) != nullptr || !has_parameter(*owner, name)) continue;
+        list.parameters.push_back(*parameter);
     }
 }
 

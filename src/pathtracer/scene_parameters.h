@@ -4,12 +4,15 @@
 // Reading checks each against its declared type; checking against the table of the implementation then leaves nothing
 // unknown, unsupported, wrongly typed, wrongly sized or out of range. The getters rely on that and only fetch.
 
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Imath/ImathVec.h>
 
+#include "pathtracer/scene_color_space.h"
 #include "pathtracer/scene_lexer.h"
 #include "pathtracer/scene_tables.h"
 
@@ -31,9 +34,6 @@ enum class DeclaredType {
     spectrum,
     texture
 };
-
-/// The RGB spaces that pbrt-v4 has. "dci-p3" has the white D65 there: Display P3.
-enum class ColorSpace { srgb, rec2020, dci_p3, aces2065_1 };
 
 /// The space of that name, in large or small letters.
 /// \throws SceneError at `place` if there is none.
@@ -64,10 +64,14 @@ struct ParameterList {
 /// \throws SceneError naming the token at fault.
 const Implementation& check_parameters(const ImplementationTable& table, const ParameterList& list);
 
-/// Adds those of `inherited` that the implementation of the list's owner knows and the list does not have, the later of
-/// two with one name.
-void inherit_parameters(const ImplementationTable& table, ParameterList& list,
-                        const std::vector<SceneParameter>& inherited);
+/// What Attribute directives give to those after them, by name: of two with one name the later.
+using InheritedParameters = std::map<std::string, std::shared_ptr<const SceneParameter>>;
+
+/// Whether an implementation of the table has a parameter of this name.
+[[nodiscard]] bool knows_parameter(const ImplementationTable& table, std::string_view name) noexcept;
+
+/// Adds those of `inherited` that the implementation of the list's owner knows and the list does not have.
+void inherit_parameters(const ImplementationTable& table, ParameterList& list, const InheritedParameters& inherited);
 
 /// Unset (nullptr) if the list has none of this name.
 [[nodiscard]] const SceneParameter* find_parameter(const ParameterList& list, std::string_view name) noexcept;

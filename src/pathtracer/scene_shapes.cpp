@@ -46,7 +46,7 @@ template <class Quadric>
 std::vector<Geometry> unless_empty(const Quadric& quadric, bool has_area, const ParameterList& list,
                                    ShapeReading& reading) {
     if (has_area) return {quadric};
-    reading.warnings.push_back(fmt::format("{}: a {} without area, left out", to_text(list.place), list.owner));
+    reading.warnings.add(list.place, fmt::format("a {} without area, left out", list.owner));
     return {};
 }
 

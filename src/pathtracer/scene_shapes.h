@@ -17,6 +17,7 @@
 #include "pathtracer/scene_files.h"
 #include "pathtracer/scene_geometry.h"
 #include "pathtracer/scene_parameters.h"
+#include "pathtracer/scene_warnings.h"
 
 namespace emulsion {
 
@@ -30,7 +31,7 @@ struct ShapeFrame {
 /// What reading needs and leaves behind.
 struct ShapeReading {
     SceneFiles& files;
-    std::vector<std::string>& warnings;
+    SceneWarnings& warnings;
 };
 
 /// One shape; two for a file of triangles and quads. Triangles and patches without area are left out and counted in a

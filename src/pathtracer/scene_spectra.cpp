@@ -12,7 +12,6 @@
 #include "core/units.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/named_spectra.h"
-#include "spectrum/rgb_space.h"
 
 namespace emulsion {
 
@@ -20,13 +19,14 @@ namespace {
 
 /// What values a spectrum may have.
 struct Bounds {
-    double max;
+    double min, max;
     std::string_view expected;
 };
-constexpr Bounds kReflectanceBounds = {1.0, "reflectances from 0 to 1"};
-constexpr Bounds kUnboundedBounds = {HUGE_VAL, "0 or a number above"};
+constexpr Bounds kReflectanceBounds = {0.0, 1.0, "reflectances from 0 to 1"};
+constexpr Bounds kUnboundedBounds = {0.0, HUGE_VAL, "0 or a number above"};
+constexpr Bounds kAnyNumber = {-HUGE_VAL, HUGE_VAL, "a number"};
 
-bool within(double value, const Bounds& bounds) noexcept { return value >= 0.0 && value <= bounds.max; }
+bool within(double value, const Bounds& bounds) noexcept { return value >= bounds.min && value <= bounds.max; }
 
 /// Pairs of wavelength and value. `place_of(i)` is the place of number i.
 template <class PlaceOf>
@@ -142,21 +142,62 @@ Spectrum spectrum_of(const SceneParameter& parameter, SceneFiles& files, const B
     return spectrum_of_pairs(numbers, bounds, [&](std::size_t i) { return place_of_value(parameter, i); });
 }
 
+/// The lines clamped everywhere, not at their ends alone: those that leave the bounds get a knot where they do.
+PiecewiseLinearSpectrum clamped(const PiecewiseLinearSpectrum& table, double min, double max) {
+    PiecewiseLinearSpectrum result;
+    const auto add = [&](double lambda_nm, double value) {
+        if (!result.lambda_nm.empty() && !(lambda_nm > result.lambda_nm.back())) return;
+        result.lambda_nm.push_back(lambda_nm);
+        result.value.push_back(value);
+    };
+    for (std::size_t i = 0; i < table.value.size(); ++i) {
+        const double lambda_nm = table.lambda_nm[i], value = table.value[i];
+        if (i > 0) {
+            const double from_nm = table.lambda_nm[i - 1], from = table.value[i - 1];
+            // The bounds in the order in which the line meets them.
+            for (const double bound : {value > from ? min : max, value > from ? max : min}) {
+                if ((from < bound) == (value < bound) || from == bound || value == bound) continue;
+                add(from_nm + (bound - from) / (value - from) * (lambda_nm - from_nm), bound);
+            }
+        }
+        add(lambda_nm, std::clamp(value, min, max));
+    }
+    return result;
+}
+
 /// What brings a light's spectrum to the photometric value 1, as pbrt-v4 does.
 double unit_scale(const Spectrum& spectrum) { return 1.0 / (kLuminousEfficacy * light_normalisation(spectrum)); }
 
 }  // namespace
 
+Spectrum clamped_reflectance(Spectrum spectrum) {
+    auto* const table = std::get_if<PiecewiseLinearSpectrum>(&spectrum);
+    if (table == nullptr) return spectrum;
+    const auto [least, greatest] = std::ranges::minmax(table->value);
+    if (within(least, kReflectanceBounds) && within(greatest, kReflectanceBounds)) return spectrum;
+    return clamped(*table, kReflectanceBounds.min, kReflectanceBounds.max);
+}
+
 const RgbUplift& SpectrumReader::uplift(ColorSpace space) {
-    constexpr std::array<std::string_view, kColorSpaces> kNames = {"sRGB", "Rec2020", "Display_P3", "ACES2065_1_AP0"};
-    const auto index = static_cast<std::size_t>(space);
-    auto& uplift = uplifts_.at(index);
-    if (!uplift) uplift.emplace(rgb_space(kNames.at(index)));
+    auto& uplift = uplifts_.at(static_cast<std::size_t>(space));
+    if (!uplift) uplift.emplace(rgb_space_of(space));
     return *uplift;
 }
 
 Spectrum SpectrumReader::reflectance(const SceneParameter& parameter) {
-    if (parameter.type != DeclaredType::rgb) return spectrum_of(parameter, *files_, kReflectanceBounds);
+    if (parameter.type != DeclaredType::rgb) {
+        Spectrum spectrum = spectrum_of(parameter, *files_, kAnyNumber);
+        auto* const table = std::get_if<PiecewiseLinearSpectrum>(&spectrum);
+        if (table == nullptr) return spectrum;
+        const auto [least, greatest] = std::ranges::minmax(table->value);
+        if (within(least, kReflectanceBounds) && within(greatest, kReflectanceBounds)) return spectrum;
+        warnings_->add(parameter.first_value,
+                       fmt::format("reflectances from {} to {}, of which what is left below 0 and above 1 is taken for "
+                                   "0 and 1",
+                                   least, greatest));
+        if (least < 0.0) *table = clamped(*table, 0.0, HUGE_VAL);
+        return spectrum;
+    }
     return uplift(parameter.color_space).reflectance(rgb_of(parameter, kReflectanceBounds));
 }
 

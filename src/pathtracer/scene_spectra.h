@@ -14,19 +14,23 @@
 #include "pathtracer/scene.h"
 #include "pathtracer/scene_files.h"
 #include "pathtracer/scene_parameters.h"
+#include "pathtracer/scene_warnings.h"
 #include "spectrum/rgb_uplift.h"
 
 namespace emulsion {
 
+/// The spectrum brought into [0, 1] at every wavelength.
+[[nodiscard]] Spectrum clamped_reflectance(Spectrum spectrum);
+
 /// Reads the spectra of one scene.
 class SpectrumReader {
   public:
-    /// `files` must outlive this.
-    explicit SpectrumReader(SceneFiles& files) noexcept : files_(&files) {}
+    /// Both must outlive this.
+    SpectrumReader(SceneFiles& files, SceneWarnings& warnings) noexcept : files_(&files), warnings_(&warnings) {}
 
-    /// A reflectance.
-    /// \throws SceneError if it is malformed, unknown, or outside [0, 1] at any of its points (pbrt-v4 refuses such RGB
-    /// colours, and clamps tabulated values without a word).
+    /// A reflectance. Tabulated values above 1 are kept, as a texture may make them less, and those below 0 are taken
+    /// for 0; both are warned of. pbrt-v4 clamps what comes of them in the end, without a word.
+    /// \throws SceneError if it is malformed, unknown, or an RGB colour outside [0, 1], as in pbrt-v4.
     [[nodiscard]] Spectrum reflectance(const SceneParameter& parameter);
 
     /// An index of refraction, or the k of one.
@@ -42,11 +46,10 @@ class SpectrumReader {
     [[nodiscard]] const ScaledSpectrum& default_light(ColorSpace space);
 
   private:
-    static constexpr std::size_t kColorSpaces = 4;
-
     [[nodiscard]] const RgbUplift& uplift(ColorSpace space);
 
     SceneFiles* files_;
+    SceneWarnings* warnings_;
     // By ColorSpace; made when they are first asked for.
     std::array<std::optional<RgbUplift>, kColorSpaces> uplifts_;
     std::array<std::optional<ScaledSpectrum>, kColorSpaces> default_lights_;

@@ -11,6 +11,7 @@
 
 #include "core/color.h"
 #include "core/image.h"
+#include "pathtracer/scene_color_space.h"
 #include "spectrum/spectrum.h"
 
 namespace emulsion {
@@ -23,7 +24,7 @@ struct TextureIndex {
 
 /// A number, or what one of Scene::float_textures gives.
 using FloatParameter = std::variant<double, TextureIndex>;
-/// A reflectance in [0, 1], or what one of Scene::reflectance_textures gives.
+/// A reflectance in [0, 1] (of an operand of textures, >= 0), or what one of Scene::reflectance_textures gives.
 using ReflectanceParameter = std::variant<Spectrum, TextureIndex>;
 
 // --- Where on a texture a point of a surface lies
@@ -46,6 +47,10 @@ struct PlanarTextureMapping {
     Imath::V3d along_u{1.0, 0.0, 0.0}, along_v{0.0, 1.0, 0.0};
     double delta_u = 0.0, delta_v = 0.0;
 };
+/// The point of texture space itself.
+struct SolidTextureMapping {
+    Imath::M44d texture_from_world;
+};
 using TextureMapping =
     std::variant<UvMapping, SphericalTextureMapping, CylindricalTextureMapping, PlanarTextureMapping>;
 
@@ -63,15 +68,17 @@ struct MixTexture {
     Parameter first, second;
     FloatParameter amount = 0.5;
 };
-/// first where the whole parts of the mapped u and v have an even sum, else second.
+/// first where the whole parts of the mapped u and v, or of x, y and z, have an even sum, else second.
 template <class Parameter>
 struct CheckerboardTexture {
     Parameter first, second;
-    TextureMapping mapping;
+    std::variant<TextureMapping, SolidTextureMapping> mapping;
 };
 
 enum class TextureWrap { repeat, black, clamp, octahedral_sphere };
-enum class TextureFilter { nearest, bilinear };
+/// Of the four texels around a point: the one that it lies on; straight lines along both directions; or a bell of one
+/// texel's radius about the point, exp(-2 r^2) - exp(-2).
+enum class TextureFilter { nearest, bilinear, gaussian };
 
 /// A picture file, decoded to linear values; shared by the textures that use it. Row 0 is the top row: (u, v) = (0, 1)
 /// is its left top corner.
@@ -79,6 +86,7 @@ template <class Texel>
 struct TextureImage {
     std::filesystem::path file;
     Image<Texel> texels;
+    ColorSpace space = ColorSpace::srgb;  ///< of texels of RGB
 };
 
 /// scale * texel, inverted to 1 - that if asked for, and clamped to [0, 1] for reflectances.
@@ -94,7 +102,7 @@ struct ImageTexture {
 
 using FloatTexture = std::variant<ScaleTexture<FloatParameter>, MixTexture<FloatParameter>,
                                   CheckerboardTexture<FloatParameter>, ImageTexture<float>>;
-/// Images of reflectances are linear sRGB; spectrum/sigmoid_table.h makes spectra of them.
+/// Images of reflectances are linear RGB; spectrum/sigmoid_table.h makes spectra of them.
 using ReflectanceTexture = std::variant<ScaleTexture<ReflectanceParameter>, MixTexture<ReflectanceParameter>,
                                         CheckerboardTexture<ReflectanceParameter>, ImageTexture<RGB>>;
 

@@ -58,7 +58,7 @@ struct Classes {
     static constexpr auto kCheckerboard = std::to_array<ParameterSpec>({
         {.name = "tex1", .kind = Values},
         {.name = "tex2", .kind = Values},
-        {.name = "dimension", .kind = integer, .only = 2.0},
+        {.name = "dimension", .kind = integer},
         kMapping,
         kScaleU,
         kScaleV,

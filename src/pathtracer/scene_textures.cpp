@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,15 @@ std::optional<std::size_t> image_of(const Parameter& parameter, const std::vecto
     const auto at = static_cast<std::size_t>(texture->index);
     if (!std::holds_alternative<ImageTexture<TexelOf<Parameter>>>(textures[at])) return std::nullopt;
     return at;
+}
+
+std::variant<TextureMapping, SolidTextureMapping> read_board_mapping(const ParameterList& list,
+                                                                     const TextureContext& context) {
+    const int dimension = integer_or(list, "dimension", 2);
+    if (dimension == 2) return read_texture_mapping(list, context);
+    if (dimension == 3) return read_solid_mapping(list, context);
+    throw SceneError(find_parameter(list, "dimension")->first_value,
+                     fmt::format("a checkerboard in {} dimensions", dimension), "2 or 3");
 }
 
 }  // namespace
@@ -128,7 +138,7 @@ Parameter SceneTextures::read(Kind<Parameter, Texture>& kind, const ParameterLis
     if (list.owner == "checkerboard") {
         CheckerboardTexture<Parameter> board{operand<Parameter>(list, "tex1", 1.0, context),
                                              operand<Parameter>(list, "tex2", 0.0, context),
-                                             read_texture_mapping(list, context)};
+                                             read_board_mapping(list, context)};
         const int evaluations = 1 + kind.count(board.first) + kind.count(board.second);
         return add<Parameter, Texture>(kind, std::move(board), evaluations, list, context);
     }

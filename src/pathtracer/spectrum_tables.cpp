@@ -12,12 +12,6 @@ namespace emulsion {
 
 namespace {
 
-ChannelValues rounded(const std::array<double, kMostFixedChannels>& values) {
-    ChannelValues result{};
-    std::transform(values.begin(), values.end(), result.begin(), [](double v) { return static_cast<float>(v); });
-    return result;
-}
-
 /// The eta, as near to the one given as can be, and the k that have this reflectance at normal incidence.
 std::pair<double, double> index_of_reflectance(double reflectance, double eta) {
     const double r = std::clamp(reflectance, 0.0, 0.9999);
@@ -52,30 +46,32 @@ void SpectrumTables::prepare(const FixedChannels& channels) {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         const auto& [role, spectrum] = sources_[i];
         if (role == Role::light) {
-            spectra_[i].set_channels(light_values(channels, spectrum.spectrum, spectrum.scale));
+            ChannelValues values = light_values(channels, spectrum.spectrum);
+            for (double& value : values) value *= spectrum.scale;
+            spectra_[i].set_channels(values);
             continue;
         }
         if (role == Role::index) {
             ChannelValues values;
-            values.fill(static_cast<float>(luminous_mean(spectrum.spectrum)));
+            values.fill(luminous_mean(spectrum.spectrum));
             spectra_[i].set_channels(values);
             continue;
         }
-        std::array<double, kMostFixedChannels> values = property_values(channels, spectrum.spectrum);
+        ChannelValues values = property_values(channels, spectrum.spectrum);
         if (role == Role::reflectance) {
             for (double& value : values) value = std::clamp(value, -1.0, 1.0);
         } else if (role == Role::metal) {
             const Spectrum& k = sources_[i + 1].spectrum.spectrum;
             const auto reflectance = property_values(channels, normal_reflectance(spectrum.spectrum, k));
-            std::array<double, kMostFixedChannels> absorption{};
+            ChannelValues absorption{};
             for (std::size_t j = 0; j < values.size(); ++j) {
                 std::tie(values[j], absorption[j]) = index_of_reflectance(reflectance[j], values[j]);
             }
-            spectra_[++i].set_channels(rounded(absorption));
-            spectra_[i - 1].set_channels(rounded(values));
+            spectra_[++i].set_channels(absorption);
+            spectra_[i - 1].set_channels(values);
             continue;
         }
-        spectra_[i].set_channels(rounded(values));
+        spectra_[i].set_channels(values);
     }
 }
 

@@ -32,11 +32,13 @@ class PreparedSpectrum {
         return values;
     }
 
-    void set_channels(const ChannelValues& channels) noexcept { channels_ = channels; }
+    void set_channels(const ChannelValues& channels) noexcept {
+        for (std::size_t k = 0; k < channels.size(); ++k) channels_[k] = static_cast<float>(channels[k]);
+    }
 
   private:
     SpectrumTable table_;
-    alignas(16) ChannelValues channels_{};
+    alignas(16) std::array<float, kMostFixedChannels> channels_{};
 };
 
 class SpectrumTables {

@@ -103,9 +103,4 @@ Imath::V2f uv_at(const PreparedSphere& sphere, const V3d& position) noexcept {
             static_cast<float>((theta - bottom) / (top - bottom))};
 }
 
-V3d tangent_at(const PreparedSphere& sphere, const V3d& position) noexcept {
-    const V3d p = sphere.object_point(position);
-    return sphere.world_vector({-p.y, p.x, 0.0});
-}
-
 }  // namespace emulsion

@@ -39,8 +39,7 @@ struct PreparedSphere : QuadricFrame {
 /// Bounds in world space.
 [[nodiscard]] Imath::Box3f bounds(const PreparedSphere& sphere) noexcept;
 
-/// As surface_coordinates.h says, for a world-space point of the surface; the tangent is not normalised.
+/// As surface_coordinates.h says, for a world-space point of the surface.
 [[nodiscard]] Imath::V2f uv_at(const PreparedSphere& sphere, const Imath::V3d& position) noexcept;
-[[nodiscard]] Imath::V3d tangent_at(const PreparedSphere& sphere, const Imath::V3d& position) noexcept;
 
 }  // namespace emulsion

@@ -19,6 +19,12 @@ SphericalTriangle::SphericalTriangle(const V3d& p0, const V3d& p1, const V3d& p2
     solid_angle = 2.0 * std::atan2(std::abs(a.dot(b.cross(c))), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
 }
 
+bool is_seen_above(double tan_half, const V3d& p0, const V3d& p1, const V3d& p2) noexcept {
+    const double l0 = std::sqrt(p0.dot(p0)), l1 = std::sqrt(p1.dot(p1)), l2 = std::sqrt(p2.dot(p2));
+    const double denominator = l0 * l1 * l2 + p0.dot(p1) * l2 + p1.dot(p2) * l0 + p2.dot(p0) * l1;
+    return std::abs(p0.dot(p1.cross(p2))) > tan_half * denominator;
+}
+
 V3d sample(const SphericalTriangle& triangle, std::array<double, 2> u) noexcept {
     const auto& [a, b, c, solid_angle] = triangle;
     // The angle at corner a, and the corner c' on the side from a to c that cuts off a share u[0] of the triangle.

@@ -17,6 +17,11 @@ struct SphericalTriangle {
     SphericalTriangle(const Imath::V3d& p0, const Imath::V3d& p1, const Imath::V3d& p2) noexcept;
 };
 
+/// Whether the solid angle of the triangle with these corners, relative to the point, is above a given one below pi:
+/// that half of which has the tangent `tan_half`. Quicker than the solid angle itself.
+[[nodiscard]] bool is_seen_above(double tan_half, const Imath::V3d& p0, const Imath::V3d& p1,
+                                 const Imath::V3d& p2) noexcept;
+
 /// A unit vector, uniform in the triangle for u uniform in [0, 1)^2. The solid angle must be above 1e-6: below,
 /// rounding shows.
 [[nodiscard]] Imath::V3d sample(const SphericalTriangle& triangle, std::array<double, 2> u) noexcept;

@@ -35,28 +35,36 @@ struct SurfacePoint {
     }
 };
 
-/// A triangle's corners, and what follows from them. In double precision: a point that is interpolated between corners
-/// far away would leave the plane by their rounding, and not by its own.
-struct TriangleGeometry {
+/// A corner of a triangle, and the edges that start there. In double precision: a point that is interpolated between
+/// corners far away would leave the plane by their rounding, and not by its own.
+struct TriangleEdges {
     Imath::V3d p0, edge1, edge2;
-    Imath::V3f normal;   ///< unit; turned round if the mesh says so
-    double area = 0.0;   ///< >= 0
-    float extent = 0.0;  ///< the largest coordinate of an edge, in magnitude
 
-    TriangleGeometry(const TriangleMesh& mesh, std::uint32_t triangle) noexcept {
+    TriangleEdges(const TriangleMesh& mesh, std::uint32_t triangle) noexcept {
         const auto& corner = mesh.triangle[triangle];
         p0 = Imath::V3d(mesh.position[corner[0]]);
         edge1 = Imath::V3d(mesh.position[corner[1]]) - p0;
         edge2 = Imath::V3d(mesh.position[corner[2]]) - p0;
-        const Imath::V3d cross = edge1.cross(edge2);
+    }
+    [[nodiscard]] Imath::V3d at(float u, float v) const noexcept {
+        return p0 + edge1 * static_cast<double>(u) + edge2 * static_cast<double>(v);
+    }
+};
+
+/// What a triangle's edges say of it as a whole.
+struct TriangleFace {
+    double area = 0.0;        ///< >= 0
+    Imath::V3f normal{0.0f};  ///< unit; turned round if the mesh says so
+    float extent = 0.0;       ///< the largest coordinate of an edge, in magnitude
+
+    TriangleFace() = default;
+    TriangleFace(const TriangleMesh& mesh, const TriangleEdges& edges) noexcept {
+        const Imath::V3d cross = edges.edge1.cross(edges.edge2);
         const double length = std::sqrt(cross.dot(cross));
         area = 0.5 * length;
         // A triangle without area is never met; its normal must be a number all the same.
         normal = length > 0.0 ? Imath::V3f(cross * ((mesh.flip_normal ? -1.0 : 1.0) / length)) : Imath::V3f(0, 0, 1);
-        extent = std::max(max_abs_component(Imath::V3f(edge1)), max_abs_component(Imath::V3f(edge2)));
-    }
-    [[nodiscard]] Imath::V3d at(float u, float v) const noexcept {
-        return p0 + edge1 * static_cast<double>(u) + edge2 * static_cast<double>(v);
+        extent = std::max(max_abs_component(Imath::V3f(edges.edge1)), max_abs_component(Imath::V3f(edges.edge2)));
     }
 };
 
@@ -69,17 +77,22 @@ inline void set_shading_normal(SurfacePoint& point, const Imath::V3f& interpolat
     if (point.geometric_normal.dot(interpolated) < 0.0f) point.geometric_normal = -point.geometric_normal;
 }
 
-[[nodiscard]] inline SurfacePoint surface_point(const TriangleMesh& mesh, const TriangleGeometry& triangle,
-                                                const Hit& hit) noexcept {
-    const Imath::V3f position(triangle.at(hit.u, hit.v));
-    SurfacePoint point{position, triangle.normal, triangle.normal,
-                       kPositionOffset * max_abs_component(position) + kFaceOffset * triangle.extent};
+[[nodiscard]] inline SurfacePoint surface_point(const TriangleMesh& mesh, const TriangleEdges& edges,
+                                                const TriangleFace& face, const Hit& hit) noexcept {
+    const Imath::V3f position(edges.at(hit.u, hit.v));
+    SurfacePoint point{position, face.normal, face.normal,
+                       kPositionOffset * max_abs_component(position) + kFaceOffset * face.extent};
     if (!mesh.normal.empty()) {
         const auto& corner = mesh.triangle[hit.primitive];
         set_shading_normal(point, mesh.normal[corner[0]] * (1.0f - hit.u - hit.v) + mesh.normal[corner[1]] * hit.u +
                                       mesh.normal[corner[2]] * hit.v);
     }
     return point;
+}
+
+[[nodiscard]] inline SurfacePoint surface_point(const TriangleMesh& mesh, const Hit& hit) noexcept {
+    const TriangleEdges edges(mesh, hit.primitive);
+    return surface_point(mesh, edges, TriangleFace(mesh, edges), hit);
 }
 
 /// The (u, v) of a patch at a hit: of a mesh that is not flat, the hit's own.

@@ -1,46 +1,37 @@
 #pragma once
-// Picture files to linear texels, as pbrt-v4 takes them: by the ending of the name,
-//
-//     .png          8 or 16 bits, decoded by the encoding asked for, sRGB by default
-//     .jpg, .jpeg   always sRGB
-//     .hdr          the numbers as they are: EXPOSURE, COLORCORR and PRIMARIES have no effect
-//     .pfm          linear
-//     .exr          linear, without whiteLuminance; from the file's primaries to those of sRGB, while pbrt-v4 makes
-//                   spectra of the file's own colours if it knows their space
-//
-// HDR, PFM and EXR are read by src/film. (stb_image 2.27, which reads PNG and JPEG, loops for ever on a truncated HDR.)
+// Picture files to texels that are looked up, as pbrt-v4 takes them. texture_picture.h has the formats.
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
-#include <variant>
 
 #include "core/color.h"
 #include "core/image.h"
 #include "pathtracer/scene_texture.h"
-#include "spectrum/gamma_transfer.h"
-#include "spectrum/linear_transfer.h"
-#include "spectrum/srgb_transfer.h"
+#include "pathtracer/texture_picture.h"
 
 namespace emulsion {
 
-/// Of the codes of PNG pictures.
-using TextureEncoding = std::variant<SrgbTransfer, LinearTransfer, GammaTransfer>;
+struct RgbTexels {
+    Image<RGB> texels;                    ///< linear, of grey pictures three times the same
+    ColorSpace space = ColorSpace::srgb;  ///< of them
+    std::string note;                     ///< what was taken otherwise than the file says; empty: nothing
+};
 
-enum class PictureFormat { png, jpeg, radiance, pfm, exr };
-
-/// By the ending of the name, whatever its case. \throws IoError for others.
-[[nodiscard]] PictureFormat picture_format(const std::filesystem::path& path);
-
-/// Linear sRGB, of grey pictures three times the same. `bytes` are those of the file.
+/// `bytes` are those of the file. With a `wrap` the texels are those of a texture that goes on so beyond its borders,
+/// enlarged to sides of powers of two (texture_enlarge.h), as pbrt-v4 looks textures up; codes of 8 bits stay such.
 /// \throws IoError if they are no whole picture, and for NaN and infinite texels.
-[[nodiscard]] Image<RGB> read_rgb_texels(const std::filesystem::path& path, std::string_view bytes,
-                                         const TextureEncoding& encoding = {});
+[[nodiscard]] RgbTexels read_rgb_texels(const std::filesystem::path& path, std::string_view bytes,
+                                        const TextureEncoding& encoding = {},
+                                        std::optional<TextureWrap> wrap = std::nullopt);
 
 /// Numbers: those of grey pictures; alpha, decoded like the other channels, if there is one and it is not 1 everywhere;
-/// else the mean of red, green and blue. Of a picture that is not filtered (TextureFilter::nearest) red, which is what
-/// pbrt-v4 takes there.
+/// else the mean of red, green and blue. Of a picture that is looked up texel by texel (TextureFilter::nearest and
+/// gaussian) red, which is what pbrt-v4 takes there. No space matters to them.
 /// \throws IoError likewise.
 [[nodiscard]] Image<float> read_number_texels(const std::filesystem::path& path, std::string_view bytes,
-                                              const TextureEncoding& encoding, TextureFilter filter);
+                                              const TextureEncoding& encoding, TextureFilter filter,
+                                              std::optional<TextureWrap> wrap = std::nullopt);
 
 }  // namespace emulsion

@@ -5,7 +5,7 @@
 // pbrt-v4 filters images by the footprint of the ray, with a pyramid of levels (trilinear) or an ellipse on it (EWA);
 // its bilinear filter, the default, takes the one level that suits the footprint. We have no ray differentials and one
 // level: a picture converges to the same mean over its pixels, as texels of a level are means of those below, with more
-// noise where texels are smaller than pixels.
+// noise where texels are smaller than pixels. What its ellipses come to as footprints vanish, a bell, is done.
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +62,22 @@ template <class Texel>
     }
 }
 
+/// Of four texels, with the sum 1.
+struct TexelWeights {
+    float left_top, right_top, left_bottom, right_bottom;
+};
+[[nodiscard]] inline TexelWeights gaussian_weights(float across, float down) noexcept {
+    constexpr float kEnd = 0.135335283f;  // exp(-2)
+    const auto bell = [](float x, float y) {
+        const float r2 = x * x + y * y;
+        return r2 < 1.0f ? std::exp(-2.0f * r2) - kEnd : 0.0f;
+    };
+    const TexelWeights w = {bell(across, down), bell(1.0f - across, down), bell(across, 1.0f - down),
+                            bell(1.0f - across, 1.0f - down)};
+    const float scale = 1.0f / (w.left_top + w.right_top + w.left_bottom + w.right_bottom);
+    return {w.left_top * scale, w.right_top * scale, w.left_bottom * scale, w.right_bottom * scale};
+}
+
 /// The image's value at (s, t), any numbers.
 template <class Texel>
 [[nodiscard]] Texel lookup(const Image<Texel>& image, TextureWrap wrap, TextureFilter filter,
@@ -74,6 +90,13 @@ template <class Texel>
     const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
     const auto across = static_cast<float>(x - 0.5 - left), down = static_cast<float>(y - 0.5 - top);
     const int column = static_cast<int>(left), row = static_cast<int>(top);
+    if (filter == TextureFilter::gaussian) {
+        const TexelWeights w = gaussian_weights(across, down);
+        return w.left_top * wrapped_texel(image, wrap, column, row) +
+               w.right_top * wrapped_texel(image, wrap, column + 1, row) +
+               w.left_bottom * wrapped_texel(image, wrap, column, row + 1) +
+               w.right_bottom * wrapped_texel(image, wrap, column + 1, row + 1);
+    }
     const auto between = [](const Texel& a, const Texel& b, float part) { return (1.0f - part) * a + part * b; };
     return between(
         between(wrapped_texel(image, wrap, column, row), wrapped_texel(image, wrap, column + 1, row), across),

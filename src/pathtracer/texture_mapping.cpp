@@ -38,6 +38,10 @@ V2d map_one(const PlanarTextureMapping& mapping, const TexturePoint& point) noex
 
 }  // namespace
 
+V3d map(const SolidTextureMapping& mapping, const TexturePoint& point) noexcept {
+    return transform_point(mapping.texture_from_world, V3d(point.position));
+}
+
 V2d map(const TextureMapping& mapping, const TexturePoint& point) noexcept {
     return visit_noexcept([&](const auto& chosen) noexcept { return map_one(chosen, point); }, mapping);
 }

@@ -12,6 +12,7 @@ template <int N>
 struct SpectralTransport {
     static constexpr int kChannels = N;
     static constexpr bool kSpectral = true;
+    static constexpr bool kMarksDispersion = false;
     using Wavelengths = SampledWavelengths<N>;
     using Index = SpectrumTableIndex<N>;  ///< of the wavelengths
 };
@@ -26,8 +27,19 @@ template <int K>
 struct FixedTransport {
     static constexpr int kChannels = K;
     static constexpr bool kSpectral = false;
+    static constexpr bool kMarksDispersion = false;
     struct Wavelengths {};
     using Index = FixedIndex<K>;
+};
+
+/// Many channels at once, for pilots that compare models path by path: of all of them every path is the same. Its last
+/// channel loses what dispersing materials scatter.
+struct PilotTransport {
+    static constexpr int kChannels = 64;
+    static constexpr bool kSpectral = false;
+    static constexpr bool kMarksDispersion = true;
+    struct Wavelengths {};
+    using Index = FixedIndex<kChannels>;
 };
 
 /// The channels of an index.
@@ -48,4 +60,4 @@ using ValuesAt = SampledSpectrum<channels_of(Index{})>;
 #define EMULSION_FOR_EACH_TRANSPORT(macro)                                                                          \
     macro(SpectralTransport<1>) macro(SpectralTransport<2>) macro(SpectralTransport<4>) macro(SpectralTransport<8>) \
         macro(SpectralTransport<16>) macro(SpectralTransport<32>) macro(FixedTransport<3>) macro(FixedTransport<4>) \
-            macro(FixedTransport<8>)
+            macro(FixedTransport<8>) macro(PilotTransport)

@@ -65,10 +65,20 @@ void check(const BasisModel& model) {
                                             kFewestBasisFunctions, kMostBasisFunctions));
 }
 
+/// With its parameters only where they are not the defaults.
+std::string strategy_text(const WavelengthStrategy& strategy) {
+    return std::visit(
+        [](const auto& s) {
+            const bool plain = s == std::decay_t<decltype(s)>{};
+            return plain ? std::string(s.kName) : to_text(WavelengthStrategy{s});
+        },
+        strategy);
+}
+
 std::string text_of(const SpectralModel& model) {
     const std::string count = fmt::format("{}:{}", SpectralModel::kName, model.wavelengths);
     if (model.strategy == WavelengthStrategy{}) return count;
-    return fmt::format("{}:{}", count, to_text(model.strategy));
+    return fmt::format("{}:{}", count, strategy_text(model.strategy));
 }
 std::string text_of(const RgbModel& model) { return fmt::format("{}:{}", RgbModel::kName, model.space); }
 std::string text_of(const PrefilteredRgbModel& /*model*/) { return std::string(PrefilteredRgbModel::kName); }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "spectrum/catalogue.h"
+#include "spectrum/spectrum_daylight.h"
 
 namespace emulsion {
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kScenePrefixes = {"stdillum-", "metal-", "glass-"};
 
+constexpr std::string_view kAcesWhite = "illum-acesD60";
 constexpr std::array<std::string_view, 7> kPbrtGlasses = {"BK7", "BAF10", "FK51A", "LASF9", "F5", "F10", "F11"};
 
 // pbrt-v4's names other than those of glasses, metals and standard illuminants; the sensors have _r, _g and _b added.
@@ -56,6 +58,7 @@ bool contains(const std::array<std::string_view, N>& names, std::string_view nam
 }  // namespace
 
 std::optional<Spectrum> named_spectrum(std::string_view name) {
+    if (name == kAcesWhite) return DaylightSpectrum{.temperature_K = 6000.0};
     const auto found = scene_names().find(name);
     if (found == scene_names().end()) return std::nullopt;
     return spectrum_of(*found->second);
@@ -64,11 +67,12 @@ std::optional<Spectrum> named_spectrum(std::string_view name) {
 std::vector<std::string> named_spectrum_names() {
     std::vector<std::string> names;
     for (const auto& [name, entry] : scene_names()) names.push_back(name);
+    names.insert(std::ranges::upper_bound(names, kAcesWhite), std::string(kAcesWhite));
     return names;
 }
 
 bool is_known_to_pbrt(std::string_view name) noexcept {
-    if (name == "illum-acesD60") return true;
+    if (name == kAcesWhite) return true;
     if (consume(name, "glass-")) return contains(kPbrtGlasses, name);
     if (consume(name, "stdillum-")) {
         constexpr std::array<std::string_view, 15> kNames = {"A",  "D50", "D65", "F1", "F2",  "F3",  "F4", "F5",

@@ -5,6 +5,8 @@
 // "stdillum-X": relative power of an illuminant. A, D50, D55, D65, D75 (300-830 nm), F1 to F12 (which the CIE calls FL1
 // to FL12), and every other column of data/illuminants_5nm.csv (380-780 nm).
 //
+// "illum-acesD60": daylight of 6000 K, whose chromaticity is the white of ACES. Source: AMPAS TB-2018-001, appendix C.
+//
 // "metal-M-eta", "metal-M-k": complex index of refraction eta + i k of M = Ag, Al, Au, Cu, CuZn.
 //
 // "glass-X": index of refraction by Sellmeier's formula, at every nm of 360-830. BK7, BAF10, FK51A, LASF9; F5, F10,

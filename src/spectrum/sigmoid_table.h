@@ -33,7 +33,8 @@
 namespace emulsion {
 
 /// The spaces whose tables are compiled in, in the order of the embedded data.
-inline constexpr std::array<std::string_view, 4> kSigmoidTableSpaces = {"sRGB", "Rec2020", "ACEScg_AP1", "Display_P3"};
+inline constexpr std::array<std::string_view, 5> kSigmoidTableSpaces = {"sRGB", "Rec2020", "ACEScg_AP1", "Display_P3",
+                                                                        "ACES2065_1_AP0"};
 
 /// Nodes along each axis of the embedded tables.
 inline constexpr int kSigmoidTableResolution = 32;

@@ -31,16 +31,16 @@ inline ChannelValues reflected(const FixedChannels& channels, const Spectrum& li
     ChannelValues values = light_values(channels, light);
     for (const Spectrum& reflectance : reflectances) {
         const auto r = property_values(channels, reflectance);
-        for (std::size_t k = 0; k < values.size(); ++k) values[k] *= static_cast<float>(r[k]);
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] *= r[k];
     }
     return values;
 }
 
 inline XYZd xyz_of(const FixedChannels& channels, const ChannelValues& values) {
     XYZd sum{};
-    for (std::size_t k = 0; k < channels.channel.size(); ++k) {
-        const auto& [x, y, z] = channels.channel[k].xyz;
-        sum = sum + static_cast<double>(values[k]) * XYZd{x, y, z};
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        const auto& [x, y, z] = channels[k].xyz;
+        sum = sum + values[k] * XYZd{x, y, z};
     }
     return sum;
 }

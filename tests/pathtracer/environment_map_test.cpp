@@ -181,6 +181,19 @@ TEST(EnvironmentMap, ColoursAreThoseOfTheTexelInTheDirection) {
     }
 }
 
+TEST(EnvironmentMap, ColoursAreThoseOfThePicturesSpace) {
+    const RGB texel{0.5f, 2.0f, 0.25f};
+    ImageInfiniteLight light = light_of(1, {texel});
+    light.space = ColorSpace::rec2020;
+    const std::array<float, 4> lambda_nm = {420.0f, 500.0f, 560.5f, 640.0f};
+    const SpectrumTableIndex<4> index(lambda_nm);
+    const ScaledSigmoid expected = SigmoidTable(rgb_space("Rec2020")).unbounded(texel);
+    const SampledSpectrum<4> found = EnvironmentMap(light).colour({0, 0, 1}, index);
+    const SampledSpectrum<4> of_sigmoid = eval<4>(expected.sigmoid, lambda_nm);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], of_sigmoid[i] * expected.scale, 1e-5f) << i;
+    EXPECT_NEAR(mean_luminance(*light.texels, light.space), 0.2627 * 0.5 + 0.6780 * 2.0 + 0.0593 * 0.25, 1e-4);
+}
+
 TEST(EnvironmentMap, TheUpperHalfIsTheMiddleOfThePicture) {
     // pbrt-v4's orientation: z up in the middle, x to the right, y down the rows.
     std::vector<RGB> texels(16 * 16, {0, 0, 0});
@@ -196,9 +209,9 @@ TEST(EnvironmentMap, TheUpperHalfIsTheMiddleOfThePicture) {
 TEST(EnvironmentMap, MeanLuminance) {
     // Luminances of the primaries of sRGB: IEC 61966-2-1.
     const ImageInfiniteLight light = light_of(2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 2, 2}});
-    EXPECT_NEAR(mean_luminance(*light.texels), (1.0 + 2.0) / 4.0, 1e-6);
+    EXPECT_NEAR(mean_luminance(*light.texels, light.space), (1.0 + 2.0) / 4.0, 1e-6);
     const ImageInfiniteLight green = light_of(1, {{0, 1, 0}});
-    EXPECT_NEAR(mean_luminance(*green.texels), 0.7152, 1e-4);
+    EXPECT_NEAR(mean_luminance(*green.texels, green.space), 0.7152, 1e-4);
 }
 
 // --- In a scene

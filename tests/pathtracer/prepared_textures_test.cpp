@@ -7,6 +7,7 @@
 
 #include "analytic_scenes.h"
 #include "pathtracer/model_channels.h"
+#include "pathtracer/scene_transform.h"
 
 namespace emulsion {
 namespace {
@@ -68,6 +69,20 @@ TEST(PreparedTextures, CheckerboardsAlternateByWholeParts) {
     EXPECT_EQ(value(-1.5f, 0.5f), 3.0f);
     EXPECT_EQ(value(-3.5f, -2.5f), 5.0f);
     EXPECT_EQ(value(1e30f, 1e30f), 3.0f);  // whatever the field, a number of the board
+}
+
+TEST(PreparedTextures, CheckerboardsInSpaceAlternateAlongThreeAxes) {
+    // Twice as large as the world's, moved by one.
+    const Imath::M44d texture_from_world = translation({-1, 0, 0}) * scaling({0.5, 0.5, 0.5});
+    const CheckerboardTexture<FloatParameter> board{3.0, 5.0, SolidTextureMapping{texture_from_world}};
+    const auto value = [&](float x, float y, float z) { return number({board}, {{x, y, z}, {0.5f, 0.5f}}); };
+    EXPECT_EQ(value(2, 1, 1), 3.0f);
+    EXPECT_EQ(value(4, 1, 1), 5.0f);
+    EXPECT_EQ(value(2, 3, 1), 5.0f);
+    EXPECT_EQ(value(2, 1, 3), 5.0f);
+    EXPECT_EQ(value(4, 3, 1), 3.0f);
+    EXPECT_EQ(value(4, 3, 3), 5.0f);
+    EXPECT_EQ(value(0, 1, 1), 5.0f);
 }
 
 TEST(PreparedTextures, NumbersAreScaledAndMixed) {
@@ -143,6 +158,28 @@ TEST(PreparedTextures, TexelsBecomeSpectraOfTheirColour) {
     expect_near(reflectance({white}, at_uv(0, 0)), ConstantSpectrum{1.0});
     const ImageTexture<RGB> too_bright{image_of<RGB>(1, 1, {{7, 7, 7}}), UvMapping{}};
     expect_near(reflectance({too_bright}, at_uv(0, 0)), ConstantSpectrum{1.0});
+}
+
+TEST(PreparedTextures, TexelsAreColoursOfTheirSpace) {
+    const RGB rgb{0.8f, 0.3f, 0.4f};
+    for (const ColorSpace space : {ColorSpace::rec2020, ColorSpace::dci_p3, ColorSpace::aces2065_1}) {
+        const auto in_space = [&](const RGB& texel) {
+            TextureImage<RGB> image{"x.exr", Image<RGB>(1, 1), space};
+            image.texels(0, 0) = texel;
+            return ImageTexture<RGB>{std::make_shared<const TextureImage<RGB>>(std::move(image)), UvMapping{}};
+        };
+        const SigmoidTable table(rgb_space_of(space));
+        expect_near(reflectance({in_space(rgb)}, at_uv(0, 0)), sigmoid_of(table.reflectance(rgb)), 2e-5);
+        // Beside one of sRGB, each keeps its own.
+        const ImageTexture<RGB> srgb{image_of<RGB>(1, 1, {rgb}), UvMapping{}};
+        expect_near(reflectance({srgb, in_space(rgb)}, at_uv(0, 0)), sigmoid_of(table.reflectance(rgb)), 2e-5);
+
+        const auto white = reflectance<FixedTransport<3>>({in_space({1, 1, 1})}, at_uv(0, 0), {});
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1.0f, 1e-6f);
+        const auto colour = reflectance<FixedTransport<3>>({in_space({0.5f, 0.25f, 0.25f})}, at_uv(0, 0), {});
+        EXPECT_GT(colour[0], 0.52f) << "its red is beyond that of sRGB";
+        EXPECT_LT(colour[1], 0.25f);
+    }
 }
 
 TEST(PreparedTextures, TexelsAreMixedAsColours) {

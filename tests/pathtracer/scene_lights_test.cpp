@@ -9,11 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "film/exr_file.h"
 #include "film/pfm_file.h"
 #include "pathtracer/scene_transform.h"
 #include "scene_text.h"
 #include "spectrum/colorimetry.h"
 #include "spectrum/named_spectra.h"
+#include "spectrum/reflectance_weights.h"
 #include "support/png_bytes.h"
 #include "support/temporary_folder.h"
 
@@ -127,12 +129,47 @@ TEST(SceneLights, PowerOfASpotLightIsThatOfItsCone) {
     expect_photometric(spot.intensity, 300.0 / solid_angle, "spot");
 }
 
+TEST(SceneLights, ASpotLightMayFadeOverMoreThanItsConeAsInPbrt) {
+    const auto spot = only_light<SpotLight>(R"(LightSource "spot" "float coneangle" 20 "float conedeltaangle" 25)");
+    EXPECT_DOUBLE_EQ(spot.cos_full, std::cos(5.0 * kPi / 180.0));
+    EXPECT_DOUBLE_EQ(spot.cos_none, std::cos(20.0 * kPi / 180.0));
+}
+
+TEST(SceneLights, APowerOrIlluminanceThatIsNotAboveZeroIsNone) {
+    for (const std::string value : {"0", "-1", "-7"}) {
+        const auto same = [&](const std::string& light, const std::string& parameter) {
+            const Scene plain = parse_world(light);
+            const Scene given = parse_world(light + " \"float " + parameter + "\" " + value);
+            return plain.lights.at(0).index() == given.lights.at(0).index() &&
+                   std::visit(
+                       [&](const auto& l) {
+                           const auto& other = std::get<std::decay_t<decltype(l)>>(given.lights.at(0));
+                           if constexpr (requires { l.intensity; }) return l.intensity == other.intensity;
+                           if constexpr (requires { l.irradiance; }) return l.irradiance == other.irradiance;
+                           if constexpr (requires { l.radiance; }) return l.radiance == other.radiance;
+                           return false;
+                       },
+                       plain.lights.at(0));
+        };
+        EXPECT_TRUE(same("LightSource \"point\"", "power")) << value;
+        EXPECT_TRUE(same("LightSource \"spot\"", "power")) << value;
+        EXPECT_TRUE(same("LightSource \"distant\"", "illuminance")) << value;
+        EXPECT_TRUE(same("LightSource \"infinite\"", "illuminance")) << value;
+        const std::string lamp = "AreaLightSource \"diffuse\" ";
+        EXPECT_EQ(
+            parse_world(lamp + "\"float power\" " + value + " Shape \"sphere\"").shapes.at(0).area_light->radiance,
+            parse_world(lamp + "Shape \"sphere\"").shapes.at(0).area_light->radiance)
+            << value;
+    }
+}
+
 TEST(SceneLights, RefusesWhatIsNoSpotLight) {
     EXPECT_EQ(world_error_of(R"(LightSource "spot" "float coneangle" 181)"),
               "t.pbrt:2:38: found a cone of 181 degrees, expected at most 180 from the axis");
-    EXPECT_EQ(world_error_of(R"(LightSource "spot" "float coneangle" 20 "float conedeltaangle" 21)"),
-              "t.pbrt:2:13: found a cone of 20 degrees that fades over 21, expected a conedeltaangle of at most the "
-              "coneangle");
+    EXPECT_EQ(
+        world_error_of(R"(LightSource "spot" "float coneangle" 20 "float conedeltaangle" 41)"),
+        "t.pbrt:2:13: found a cone of 20 degrees that fades over 41, expected a conedeltaangle of at most twice the "
+        "coneangle: pbrt-v4 turns the cone inside out");
     EXPECT_EQ(world_error_of(R"(LightSource "spot" "float coneangle" 0)"),
               "t.pbrt:2:38: found 0 for parameter \"coneangle\" of light source \"spot\", expected a number above 0");
     EXPECT_EQ(world_error_of(R"(LightSource "spot" "point from" [1 2 3] "point to" [1 2 3])"),
@@ -183,6 +220,36 @@ TEST_F(SceneImageLights, IlluminanceIsReckonedAsInPbrt) {
     // centres' cosines have a mean of 1/4 but for one row of texels along the horizon, 1/64.
     const ImageInfiniteLight even = light(R"("string filename" "even.png" "float illuminance" 10 "float scale" 3)");
     EXPECT_NEAR(photometric(even.illuminant), 30.0 / (kPi / 2.0), 30.0 / (kPi / 2.0) / 64);
+}
+
+TEST_F(SceneImageLights, AnIlluminanceOfZeroIsNone) {
+    EXPECT_EQ(light(R"("string filename" "even.png" "float illuminance" 0)").illuminant,
+              light(R"("string filename" "even.png")").illuminant);
+}
+
+TEST_F(SceneImageLights, PicturesShineInTheSpaceOfTheirChromaticities) {
+    const auto write = [&](const std::string& space) {
+        Image<XYZ> xyz(1, 1);
+        const auto p = xyz_from_rgb(rgb_space(space)) * std::array{0.5, 0.25, 2.0};
+        xyz(0, 0) = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+        write_exr(folder_.file("x.exr"), xyz, {}, {.space = space});
+        return parse(R"("string filename" "x.exr" "float scale" 7)", "ColorSpace \"dci-p3\"\n");
+    };
+    const Scene scene = write("ACES2065_1_AP0");
+    const auto aces = std::get<ImageInfiniteLight>(scene.lights.at(0));
+    EXPECT_EQ(aces.space, ColorSpace::aces2065_1);
+    EXPECT_EQ(aces.illuminant.spectrum, Spectrum(illuminant_of(rgb_space("ACES2065_1_AP0"))));
+    expect_photometric(aces.illuminant, 7.0, "scale");
+    EXPECT_NEAR((*aces.texels)(0, 0).b, 2.0, 1e-5);
+    EXPECT_TRUE(scene.warnings.empty());
+
+    const Scene other = write("Adobe_RGB_1998");
+    EXPECT_EQ(std::get<ImageInfiniteLight>(other.lights.at(0)).space, ColorSpace::srgb);
+    ASSERT_EQ(other.warnings.size(), 1u);
+    EXPECT_EQ(
+        other.warnings[0].substr(folder_.path().string().size() + 1),
+        "t.pbrt:3:42: picture \"x.exr\": its chromaticities are those of no space that is known: taken as sRGB, as "
+        "in pbrt-v4");
 }
 
 TEST_F(SceneImageLights, ThePictureTurnsWithTheCurrentSpace) {
@@ -308,8 +375,6 @@ TEST(SceneLights, RefusesWhatMakesNoLight) {
     EXPECT_EQ(
         world_error_of("LightSource \"infinite\" \"float scale\" -1"),
         "t.pbrt:2:38: found -1 for parameter \"scale\" of light source \"infinite\", expected 0 or a number above");
-    EXPECT_EQ(world_error_of("AreaLightSource \"diffuse\" \"float power\" 0"),
-              "t.pbrt:2:41: found 0 for parameter \"power\" of area light \"diffuse\", expected a number above 0");
     EXPECT_EQ(world_error_of("LightSource \"infinite\" \"spectrum L\" [400 0 700 0]"),
               "t.pbrt:2:38: found a light spectrum without visible light, expected one whose luminance is above 0 and "
               "finite");

@@ -1,5 +1,6 @@
 // Material directives to materials: parameters, defaults, and what is refused.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene_text.h"
@@ -8,6 +9,7 @@
 namespace emulsion {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::parse_world;
 using testing::world_error_of;
 
@@ -94,6 +96,19 @@ TEST(SceneMaterial, InterfacesAreLeftOut) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0],
               "t.pbrt:1:1: 1 area light of material \"interface\": without a surface, they give no light");
+}
+
+TEST(SceneMaterial, NoneIsAnInterfaceAsInPbrt) {
+    const Scene scene = parse_world(R"(LightSource "point"
+Material "" Shape "sphere"
+Material "none" "float roughness" 1 Shape "sphere"
+MakeNamedMaterial "air" "string type" "none" NamedMaterial "air" Shape "sphere")");
+    EXPECT_TRUE(scene.shapes.empty());
+    EXPECT_THAT(scene.warnings,
+                ElementsAre("t.pbrt:3:10: the material \"\" is taken as \"interface\", as in pbrt-v4",
+                            "t.pbrt:4:10: the material \"none\" is taken as \"interface\", as in pbrt-v4, and its "
+                            "parameters have no effect",
+                            "t.pbrt:5:39: the material \"none\" is taken as \"interface\", as in pbrt-v4"));
 }
 
 TEST(SceneMaterial, RefusesWhatMakesNone) {

@@ -77,13 +77,42 @@ TEST(SceneOptions, CropWindowsInPartsOfTheFrameAndInPixels) {
 
     EXPECT_EQ(
         error_of(film + R"("float cropwindow" [0.5 0.5 0 1])"),
-        "t.pbrt:1:83: found a crop window of 0.5 0.5 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to 1");
-    EXPECT_THAT(error_of(film + R"("float cropwindow" [0 1.5 0 1])"),
-                ::testing::HasSubstr("a crop window of 0 1.5 0 1"));
-    EXPECT_EQ(error_of(film + R"("integer pixelbounds" [0 101 0 1])"),
-              "t.pbrt:1:86: found pixel bounds of 0 101 0 1, expected x0 < x1 <= 100 and y0 < y1 <= 50, in this order");
-    EXPECT_THAT(error_of(film + R"("integer pixelbounds" [0 1 0 1] "float cropwindow" [0 1 0 1])"),
-                ::testing::HasSubstr("found \"pixelbounds\" beside \"cropwindow\", expected one of the two"));
+        "t.pbrt:1:83: found a cropwindow of 0.5 0.5 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to 1 and "
+        "to 1");
+    EXPECT_EQ(error_of(film + R"("integer pixelbounds" [100 200 0 1])"),
+              "t.pbrt:1:86: found a pixelbounds of 100 200 0 1, expected x0 < x1 and y0 < y1, in this order, from 0 to "
+              "100 and to 50");
+}
+
+TEST(SceneOptions, CropsAreCutOffAtTheFrameAsInPbrt) {
+    const std::string film = "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 50 ";
+    const auto expect = [&](const std::string& crop, const PixelBounds& bounds, const std::string& warning) {
+        const Scene scene = parse_options(film + crop);
+        EXPECT_EQ(film_options(scene).crop, bounds) << crop;
+        EXPECT_THAT(scene.warnings, ::testing::Contains(::testing::HasSubstr(warning))) << crop;
+    };
+    expect(R"("float cropwindow" [0.5 1.5 1 -1])", {50, 0, 100, 50},
+           R"("cropwindow" [ 0.5 1.5 1 -1 ] is taken as 0.5 1 0 1)");
+    expect(R"("integer pixelbounds" [20 10 -5 101])", {10, 0, 20, 50},
+           R"("pixelbounds" [ 20 10 -5 101 ] is taken as 10 20 0 50)");
+    expect(R"("integer pixelbounds" [0 1 0 1] "float cropwindow" [0 .5 0 1])", {0, 0, 50, 50},
+           R"("pixelbounds" have no effect beside "cropwindow")");
+}
+
+TEST(SceneOptions, AShutterThatClosesFirstIsTakenTheOtherWayRoundAsInPbrt) {
+    const Scene scene = parse_options(R"(Camera "perspective" "float shutteropen" 2 "float shutterclose" 1.75)");
+    EXPECT_EQ(scene.film.sensor.exposure_time_s, 0.25);
+    EXPECT_THAT(scene.warnings,
+                ::testing::Contains("t.pbrt:1:8: the shutter closes before it opens: taken the other way "
+                                    "round"));
+}
+
+TEST(SceneOptions, AFilmOfGeometryIsTakenForItsPicture) {
+    const Scene scene = parse_options(R"(Film "gbuffer" "integer xresolution" 64 "string coordinatesystem" "world")");
+    EXPECT_EQ(scene.film.width_px, 64);
+    EXPECT_THAT(scene.warnings,
+                ::testing::Contains("t.pbrt:1:6: film \"gbuffer\" is taken as \"rgb\": the same picture "
+                                    "without layers of its own"));
 }
 
 TEST(SceneOptions, Film) {
@@ -304,8 +333,8 @@ TEST(SceneOptions, RefusesValuesOutOfRange) {
          "1:22: found 3 values for parameter \"screenwindow\" of camera \"perspective\", expected 4"},
         {R"(Camera "perspective" "float screenwindow" [1 1 0 1])",
          "1:44: found a screen window without area, expected x min, x max, y min, y max"},
-        {R"(Camera "perspective" "float shutteropen" 2)",
-         "1:8: found an exposure time of -1, expected \"shutterclose\" after \"shutteropen\""},
+        {R"(Camera "perspective" "float shutteropen" 1)",
+         "1:8: found an exposure time of 0, expected \"shutterclose\" after \"shutteropen\""},
         {R"(Film "rgb" "integer xresolution" 0)",
          "1:34: found 0 for parameter \"xresolution\" of film \"rgb\", expected a number above 0"},
         {R"(Film "rgb" "integer xresolution" 65536 "integer yresolution" 65536)",

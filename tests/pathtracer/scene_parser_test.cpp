@@ -50,7 +50,9 @@ TEST(SceneParser, NamesTheTokenAtFault) {
          "1:24: found light source \"projection\", " + unsupported + "point, spot, distant, infinite)"},
         {"WorldBegin Shape \"curve\"", "1:18: found shape \"curve\", " + unsupported +
                                            "trianglemesh, bilinearmesh, plymesh, sphere, disk, cylinder)"},
-        {"Film \"gbuffer\"", "1:6: found film \"gbuffer\", " + unsupported + "rgb, spectral)"},
+        {"Accelerator \"embree\"",
+         "1:13: found unknown accelerator \"embree\", expected a known one (nearest known "
+         "name: \"kdtree\")"},
         {"Integrator \"sppm\"",
          "1:12: found integrator \"sppm\", " + unsupported + "path, volpath, simplepath, simplevolpath, bdpt, mlt)"},
         {"WorldBegin Shape \"loopsubdiv\"",

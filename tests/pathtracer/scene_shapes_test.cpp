@@ -22,9 +22,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 const std::string kTriangle = R"(Shape "trianglemesh" "point3 P" [0 0 0  1 0 0  0 1 0] )";
 
 /// The z of the geometric normal amid the mesh's first triangle.
-float normal_z(const TriangleMesh& mesh) {
-    return surface_point(mesh, TriangleGeometry(mesh, 0), {.u = 0.25f, .v = 0.25f}).geometric_normal.z;
-}
+float normal_z(const TriangleMesh& mesh) { return surface_point(mesh, {.u = 0.25f, .v = 0.25f}).geometric_normal.z; }
 
 TEST(SceneShapes, TriangleMesh) {
     const TriangleMesh mesh = only_mesh(parse_world(R"(Translate 1 2 3 Scale 2 2 2

@@ -1,7 +1,9 @@
 #include "pathtracer/scene_spectra.h"
 
+#include <algorithm>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene_text.h"
@@ -139,13 +141,10 @@ TEST(SceneSpectra, RefusesMalformedOnes) {
         {R"("blackbody reflectance" -1)", "44: found a temperature of -1 K, expected a number above 0"},
         {R"("spectrum reflectance" [400 1 700])",
          "20: found 3 numbers for a spectrum, expected pairs of wavelength and value"},
-        {R"("spectrum reflectance" [400 0 500 1.5])", "54: found 1.5 at 500 nm, expected reflectances from 0 to 1"},
         {R"("spectrum reflectance" [400 0 400 1])",
          "50: found the wavelength 400 nm, expected wavelengths that rise from pair to pair, here one above 400 nm"},
         {R"("spectrum reflectance" [-1 0 400 1])",
          "44: found the wavelength -1 nm, expected wavelengths that rise from pair to pair, here one above 0 nm"},
-        {R"("spectrum reflectance" "stdillum-A")",
-         "43: found the spectrum \"stdillum-A\", expected reflectances from 0 to 1"},
         {R"("spectrum reflectance" ["stdillum-A" "stdillum-A"])", "20: found 2 names for one spectrum, expected 1"},
         {R"("spectrum reflectance" ["stdillum-A" 3])", "57: found \"3\", expected a string after a string, or \"]\""},
         {R"("spectrum reflectance" [3 "stdillum-A"])",
@@ -165,6 +164,36 @@ TEST(SceneSpectra, RefusesMalformedOnes) {
               "t.pbrt:2:35: found -1, expected 0 or a number above");
     EXPECT_EQ(world_error_of("LightSource \"infinite\" \"spectrum L\" [400 1 500 -2]"),
               "t.pbrt:2:48: found -2 at 500 nm, expected 0 or a number above");
+}
+
+// As in pbrt-v4, which looks at what comes of them.
+TEST(SceneSpectra, TabulatedReflectancesAreClamped) {
+    const Scene scene = parse_world(R"(LightSource "infinite"
+Material "diffuse" "spectrum reflectance" [400 0.5 500 1.5 600 -1 700 0.25])");
+    EXPECT_THAT(scene.warnings,
+                ::testing::ElementsAre("t.pbrt:3:44: reflectances from -1 to 1.5, of which what is left "
+                                       "below 0 and above 1 is taken for 0 and 1"));
+    const auto reflectance_of = [](const Scene& s) {
+        return std::get<Spectrum>(std::get<DiffuseMaterial>(s.materials.back()).reflectance);
+    };
+    const Spectrum clamped = reflectance_of(scene);
+    // The lines are clamped, not their ends: they meet 1 at 450 nm and 520 nm, and 0 at 560 nm and 680 nm.
+    for (int lambda_nm = 400; lambda_nm <= 700; ++lambda_nm) {
+        const double given = lambda_nm < 500   ? 0.5 + (lambda_nm - 400) / 100.0
+                             : lambda_nm < 600 ? 1.5 - 2.5 * (lambda_nm - 500) / 100.0
+                                               : -1.0 + 1.25 * (lambda_nm - 600) / 100.0;
+        EXPECT_NEAR(eval(clamped, static_cast<double>(lambda_nm)), std::clamp(given, 0.0, 1.0), 1e-12) << lambda_nm;
+    }
+    // A lamp's spectrum is no reflectance, but what pbrt-v4 makes of one.
+    EXPECT_EQ(eval(reflectance_of(parse_world(R"(Material "diffuse" "spectrum reflectance" "stdillum-A")")), 560.0),
+              1.0);
+    // A texture may make it less, and so may a scale.
+    const Scene halved = parse_world(R"(Texture "t" "spectrum" "scale" "spectrum tex" [400 1.5 700 1.5] "float scale" .5
+        Material "diffusetransmission" "spectrum reflectance" [400 1.5 700 1.5] "float scale" .5)");
+    const auto& scale = std::get<ScaleTexture<ReflectanceParameter>>(halved.reflectance_textures.at(0));
+    EXPECT_EQ(eval(std::get<Spectrum>(scale.texture), 550.0), 1.5);
+    const auto& thin = std::get<DiffuseTransmissionMaterial>(halved.materials.at(0));
+    EXPECT_EQ(eval(std::get<Spectrum>(thin.reflectance), 550.0), 1.5);
 }
 
 TEST(SceneSpectra, TellsUnsupportedNamesFromUnknownOnes) {

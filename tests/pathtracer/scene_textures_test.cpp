@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pathtracer/scene_transform.h"
 #include "scene_text.h"
 #include "support/png_bytes.h"
 #include "support/temporary_folder.h"
@@ -58,7 +59,7 @@ TEST(SceneTextures, CheckerboardsHaveTheDefaultsOfPbrt) {
     const auto& board = std::get<CheckerboardTexture<ReflectanceParameter>>(scene.reflectance_textures.at(0));
     EXPECT_EQ(constant_of(board.first), 1.0);
     EXPECT_EQ(constant_of(board.second), 0.0);
-    const auto& mapping = std::get<UvMapping>(board.mapping);
+    const auto& mapping = std::get<UvMapping>(std::get<TextureMapping>(board.mapping));
     EXPECT_EQ(mapping.scale_u, 16.0);
     EXPECT_EQ(mapping.scale_v, 1.0);
     EXPECT_EQ(mapping.delta_u, 0.0);
@@ -112,7 +113,8 @@ TEST(SceneTextures, MappingsStandInTheCurrentSpace) {
         Texture "c" "float" "checkerboard" "string mapping" "cylindrical"
         Texture "p" "float" "checkerboard" "string mapping" "planar" "vector v1" [0 0 2] "float udelta" .5)");
     const auto mapping = [&](std::size_t i) {
-        return std::get<CheckerboardTexture<FloatParameter>>(scene.float_textures.at(i)).mapping;
+        return std::get<TextureMapping>(
+            std::get<CheckerboardTexture<FloatParameter>>(scene.float_textures.at(i)).mapping);
     };
     const Imath::M44d texture_from_world = std::get<SphericalTextureMapping>(mapping(0)).texture_from_world;
     EXPECT_EQ(Imath::V3d(3, 2, 3) * texture_from_world, Imath::V3d(1, 0, 0));
@@ -159,6 +161,23 @@ TEST(SceneTextures, PicturesHaveTheDefaultsOfPbrt) {
     EXPECT_NEAR(texture.image->texels(0, 0), 1.0 / 3.0, 1e-6);
 }
 
+TEST(SceneTextures, PicturesHaveSidesOfPowersOfTwo) {
+    const TemporaryFolder folder;
+    write_text(folder.file("x.png"), png_bytes({.width = 3, .height = 5}, std::vector<int>(45, 100)));
+    const Scene scene = parse_in(folder.path(), R"(Texture "t" "float" "imagemap" "string filename" "x.png"
+        Texture "t" "spectrum" "imagemap" "string filename" "x.png")");
+    EXPECT_EQ(std::get<ImageTexture<float>>(scene.float_textures.at(0)).image->texels.width(), 4);
+    EXPECT_EQ(std::get<ImageTexture<RGB>>(scene.reflectance_textures.at(0)).image->texels.height(), 8);
+}
+
+TEST(SceneTextures, CheckerboardsMayHaveThreeDimensions) {
+    const Scene scene = parse_world(R"(Translate 1 2 3 Scale 2 2 2
+        Texture "c" "float" "checkerboard" "integer dimension" 3)");
+    const auto& board = std::get<CheckerboardTexture<FloatParameter>>(scene.float_textures.at(0));
+    const auto& mapping = std::get<SolidTextureMapping>(board.mapping);
+    EXPECT_LT((transform_point(mapping.texture_from_world, {5, 2, 4}) - Imath::V3d(2, 0, 0.5)).length(), 1e-12);
+}
+
 TEST(SceneTextures, OnePictureIsReadOnce) {
     const TemporaryFolder folder;
     write_text(folder.file("x.png"), png_bytes({}, std::array{255, 0, 128}));
@@ -187,7 +206,7 @@ TEST(SceneTextures, ConstantScalesGoIntoPictures) {
     EXPECT_EQ(std::get<ImageTexture<float>>(scene.float_textures.at(1)).scale, 3.0);
 }
 
-TEST(SceneTextures, SaysOnceThatFiltersAreTakenForBilinear) {
+TEST(SceneTextures, SaysOnceThatFiltersKnowNoFootprints) {
     const TemporaryFolder folder;
     write_text(folder.file("x.png"), png_bytes({}, std::array{255, 0, 128}));
     const Scene scene = parse_in(folder.path(), R"(LightSource "infinite"
@@ -195,8 +214,11 @@ Texture "a" "spectrum" "imagemap" "string filename" "x.png" "string filter" "tri
 Texture "b" "float" "imagemap" "string filename" "x.png" "string filter" "EWA")");
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0].substr(folder.path().string().size() + 1),
-              "t.pbrt:3:61: the filter \"trilinear\" is taken as \"bilinear\", here and further on: textures are not "
-              "filtered over pixels but by the samples of pixels");
+              "t.pbrt:3:61: the filter \"trilinear\" is that of no level but the picture itself, here and further on: "
+              "textures are not filtered over pixels but by the samples of pixels");
+    EXPECT_EQ(std::get<ImageTexture<RGB>>(scene.reflectance_textures.at(0)).filter, TextureFilter::bilinear);
+    EXPECT_EQ(std::get<ImageTexture<float>>(scene.float_textures.at(0)).filter, TextureFilter::gaussian);
+    EXPECT_EQ(std::get<ImageTexture<float>>(scene.float_textures.at(0)).image->texels(0, 0), 1.0f) << "red, as in pbrt";
 }
 
 TEST(SceneTextures, SaysThatOnlyPngHasAnEncoding) {
@@ -229,9 +251,8 @@ TEST(SceneTextures, RefusesWhatIsNoTexture) {
         {R"(Texture "x" "float" "windy")",
          "21: found float texture \"windy\", expected a supported one (known to pbrt-v4 and not yet supported here; "
          "supported: constant, scale, mix, imagemap, checkerboard)"},
-        {R"(Texture "x" "float" "checkerboard" "integer dimension" 3)",
-         "56: found 3 for parameter \"dimension\" of float texture \"checkerboard\", expected 2 (others are known to "
-         "pbrt-v4 and not yet supported here)"},
+        {R"(Texture "x" "float" "checkerboard" "integer dimension" 4)",
+         "56: found a checkerboard in 4 dimensions, expected 2 or 3"},
         {R"(Texture "x" "float" "checkerboard" "string mapping" "planer")",
          "53: found unknown mapping \"planer\", expected a known one (nearest known name: \"planar\")"},
         {R"(Texture "x" "float" "mix" "rgb tex1" [0 0 0])",

@@ -1,10 +1,17 @@
 #include "pathtracer/texture_image.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -47,7 +54,7 @@ std::string error_of(const std::string& name, const std::string& bytes) {
 constexpr std::array kFourColours = {0, 128, 255, 10, 20, 30, 255, 255, 255, 1, 2, 3};
 
 TEST(TextureImage, PngOfEightBitsIsSrgb) {
-    const Image<RGB> image = read_rgb_texels("x.png", png_bytes({.width = 2, .height = 2}, kFourColours));
+    const Image<RGB> image = read_rgb_texels("x.png", png_bytes({.width = 2, .height = 2}, kFourColours)).texels;
     ASSERT_EQ(image.width(), 2);
     ASSERT_EQ(image.height(), 2);
     expect_rgb(image(0, 0), 0.0, srgb_decoded(128 / 255.0), 1.0);
@@ -58,31 +65,31 @@ TEST(TextureImage, PngOfEightBitsIsSrgb) {
 
 TEST(TextureImage, PngIsDecodedAsAskedFor) {
     const std::string bytes = png_bytes({.width = 2, .height = 2}, kFourColours);
-    expect_rgb(read_rgb_texels("x.png", bytes, LinearTransfer{})(1, 0), 10 / 255.0, 20 / 255.0, 30 / 255.0);
-    expect_rgb(read_rgb_texels("x.png", bytes, GammaTransfer{2.0})(0, 0), 0.0, 128.0 * 128 / 255 / 255, 1.0);
+    expect_rgb(read_rgb_texels("x.png", bytes, LinearTransfer{}).texels(1, 0), 10 / 255.0, 20 / 255.0, 30 / 255.0);
+    expect_rgb(read_rgb_texels("x.png", bytes, GammaTransfer{2.0}).texels(0, 0), 0.0, 128.0 * 128 / 255 / 255, 1.0);
 }
 
 TEST(TextureImage, PngOfSixteenBitsKeepsThem) {
     const std::array codes = {0, 257, 65535};
     const std::string bytes = png_bytes({.bits = 16}, codes);
-    expect_rgb(read_rgb_texels("x.png", bytes, LinearTransfer{})(0, 0), 0.0, 257 / 65535.0, 1.0);
-    expect_rgb(read_rgb_texels("X.PNG", bytes)(0, 0), 0.0, 257 / 65535.0 / 12.92, 1.0);
+    expect_rgb(read_rgb_texels("x.png", bytes, LinearTransfer{}).texels(0, 0), 0.0, 257 / 65535.0, 1.0);
+    expect_rgb(read_rgb_texels("X.PNG", bytes).texels(0, 0), 0.0, 257 / 65535.0 / 12.92, 1.0);
 }
 
 TEST(TextureImage, PngOfGreyAndOfAPalette) {
     const std::array grey = {51, 102};
     const Image<RGB> image =
-        read_rgb_texels("x.png", png_bytes({.width = 2, .colour_type = 0}, grey), LinearTransfer{});
+        read_rgb_texels("x.png", png_bytes({.width = 2, .colour_type = 0}, grey), LinearTransfer{}).texels;
     expect_rgb(image(1, 0), 0.4, 0.4, 0.4);
 
     const std::array grey_alpha = {51, 0};
-    expect_rgb(read_rgb_texels("x.png", png_bytes({.colour_type = 4}, grey_alpha), LinearTransfer{})(0, 0), 0.2, 0.2,
-               0.2);
+    expect_rgb(read_rgb_texels("x.png", png_bytes({.colour_type = 4}, grey_alpha), LinearTransfer{}).texels(0, 0), 0.2,
+               0.2, 0.2);
     const std::array index = {1};
     const std::string palette = std::string("\0\0\0", 3) + "\x33\x66\x99";
-    expect_rgb(
-        read_rgb_texels("x.png", png_bytes({.colour_type = 3, .palette = palette}, index), LinearTransfer{})(0, 0), 0.2,
-        0.4, 0.6);
+    expect_rgb(read_rgb_texels("x.png", png_bytes({.colour_type = 3, .palette = palette}, index), LinearTransfer{})
+                   .texels(0, 0),
+               0.2, 0.4, 0.6);
 }
 
 TEST(TextureImage, NumbersAreTheMeanOrAlphaAsInPbrt) {
@@ -131,14 +138,14 @@ std::string grey_jpeg() { return jpeg(1, bytes_of({0x48, 0x7F})); }
 std::string colour_jpeg() { return jpeg(3, bytes_of({0x91, 0x01})); }
 
 TEST(TextureImage, JpegIsSrgbWhateverIsAskedFor) {
-    const Image<RGB> grey = read_rgb_texels("x.jpg", grey_jpeg(), LinearTransfer{});
+    const Image<RGB> grey = read_rgb_texels("x.jpg", grey_jpeg(), LinearTransfer{}).texels;
     ASSERT_EQ(grey.width(), 8);
     ASSERT_EQ(grey.height(), 8);
     const double expected = srgb_decoded(200 / 255.0);
     expect_rgb(grey(3, 5), expected, expected, expected);
 
     // ITU-T T.871: R = Y + 1.402 Cr, G = Y - 0.714136 Cr, B = Y.
-    const Image<RGB> colour = read_rgb_texels("x.JPEG", colour_jpeg());
+    const Image<RGB> colour = read_rgb_texels("x.JPEG", colour_jpeg()).texels;
     expect_rgb(colour(0, 7), srgb_decoded(218 / 255.0), srgb_decoded(82 / 255.0), srgb_decoded(128 / 255.0), 0.01);
 }
 
@@ -153,18 +160,148 @@ TEST(TextureImage, ScenePicturesGiveTheirNumbers) {
 
     const std::filesystem::path pfm = folder.file("x.pfm"), hdr = folder.file("x.hdr"), exr = folder.file("x.exr");
     write_pfm(pfm, xyz);
-    expect_rgb(read_rgb_texels(pfm, read_text(pfm))(1, 0), 0.5, 0.25, 2.0, 1e-5);
+    expect_rgb(read_rgb_texels(pfm, read_text(pfm)).texels(1, 0), 0.5, 0.25, 2.0, 1e-5);
 
     write_radiance(hdr, xyz);
-    expect_rgb(read_rgb_texels(hdr, read_text(hdr))(1, 0), 0.5, 0.25, 2.0, 2.0 / 255);
+    expect_rgb(read_rgb_texels(hdr, read_text(hdr)).texels(1, 0), 0.5, 0.25, 2.0, 2.0 / 255);
     EXPECT_NEAR(read_number_texels(hdr, read_text(hdr), {}, TextureFilter::bilinear)(1, 0), 2.75 / 3, 2.0 / 255);
 
-    for (const std::string space : {"sRGB", "Rec2020", "XYZ"}) {
+    for (const std::string space : {"sRGB", "XYZ"}) {
         ExrOptions options;
         options.space = space;
         options.white_luminance_cdm2 = 40.0;  // has no effect, as in pbrt-v4: the numbers count
         write_exr(exr, xyz, {}, options);
-        expect_rgb(read_rgb_texels(exr, read_text(exr))(1, 0), 0.5, 0.25, 2.0, 1e-5);
+        expect_rgb(read_rgb_texels(exr, read_text(exr)).texels(1, 0), 0.5, 0.25, 2.0, 1e-5);
+    }
+}
+
+TEST(TextureImage, ExrNumbersAreThoseOfTheirSpace) {
+    struct Known {
+        std::string name;
+        ColorSpace space;
+    };
+    const TemporaryFolder folder;
+    const std::filesystem::path exr = folder.file("x.exr");
+    for (const Known& known :
+         {Known{"sRGB", ColorSpace::srgb}, Known{"Rec2020", ColorSpace::rec2020},
+          Known{"Display_P3", ColorSpace::dci_p3}, Known{"ACES2065_1_AP0", ColorSpace::aces2065_1}}) {
+        Image<XYZ> xyz(2, 1);
+        const auto p = xyz_from_rgb(rgb_space(known.name)) * std::array{0.5, 0.25, 2.0};
+        xyz(1, 0) = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+        write_exr(exr, xyz, {}, {.space = known.name});
+        const RgbTexels read = read_rgb_texels(exr, read_text(exr));
+        EXPECT_EQ(read.space, known.space) << known.name;
+        EXPECT_EQ(read.note, "") << known.name;
+        expect_rgb(read.texels(1, 0), 0.5, 0.25, 2.0, 1e-5);
+        // A number has no space.
+        EXPECT_NEAR(read_number_texels(exr, read_text(exr), {}, TextureFilter::bilinear)(1, 0), 2.75 / 3, 1e-5);
+    }
+    // Chromaticities of none of the four: sRGB, and said.
+    Image<XYZ> xyz(1, 1);
+    const auto p = xyz_from_rgb(rgb_space("Adobe_RGB_1998")) * std::array{0.5, 0.25, 2.0};
+    xyz(0, 0) = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    write_exr(exr, xyz, {}, {.space = "Adobe_RGB_1998"});
+    const RgbTexels read = read_rgb_texels(exr, read_text(exr));
+    EXPECT_EQ(read.space, ColorSpace::srgb);
+    EXPECT_EQ(read.note, "its chromaticities are those of no space that is known: taken as sRGB, as in pbrt-v4");
+    expect_rgb(read.texels(0, 0), 0.5, 0.25, 2.0, 1e-5);
+}
+
+/// Channels of floats, by name, of one row.
+void write_channels(const std::filesystem::path& path, const std::map<std::string, std::vector<float>>& channels) {
+    const int width = static_cast<int>(channels.begin()->second.size());
+    Imf::Header header(width, 1);
+    Imf::FrameBuffer places;
+    for (const auto& [name, values] : channels) {
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        places.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow()));
+    }
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(places);
+    file.writePixels(1);
+}
+
+TEST(TextureImage, AnExrOfOneChannelIsGrey) {
+    const TemporaryFolder folder;
+    const std::filesystem::path exr = folder.file("x.exr");
+    for (const std::string name : {"Y", "Z", "height"}) {
+        write_channels(exr, {{name, {0.25f, 3.0f}}});
+        expect_rgb(read_rgb_texels(exr, read_text(exr)).texels(1, 0), 3.0, 3.0, 3.0);
+        EXPECT_EQ(read_number_texels(exr, read_text(exr), {}, TextureFilter::bilinear)(0, 0), 0.25f);
+    }
+    write_channels(exr, {{"Y", {1.0f}}, {"RY", {1.0f}}});
+    EXPECT_EQ(error_of(exr.string(), read_text(exr)),
+              exr.string() + ": has the channels RY Y, expected X Y Z or R G B");
+}
+
+TEST(TextureImage, TheAlphaOfAnExrIsItsNumber) {
+    const TemporaryFolder folder;
+    const std::filesystem::path exr = folder.file("x.exr");
+    const std::vector<float> red = {1, 2}, green = {3, 4}, blue = {5, 6};
+    write_channels(exr, {{"R", red}, {"G", green}, {"B", blue}, {"A", {0.5f, 1.0f}}});
+    EXPECT_EQ(read_number_texels(exr, read_text(exr), {}, TextureFilter::bilinear)(0, 0), 0.5f);
+    EXPECT_EQ(read_number_texels(exr, read_text(exr), {}, TextureFilter::nearest)(1, 0), 2.0f);
+    expect_rgb(read_rgb_texels(exr, read_text(exr)).texels(1, 0), 2.0, 4.0, 6.0);
+    write_channels(exr, {{"R", red}, {"G", green}, {"B", blue}, {"A", {1.0f, 1.0f}}});
+    EXPECT_EQ(read_number_texels(exr, read_text(exr), {}, TextureFilter::bilinear)(0, 0), 3.0f);
+}
+
+// --- Sides that are no powers of two
+
+TEST(TextureImage, TexturesAreEnlargedToPowersOfTwo) {
+    // 0 0.25 1 of three columns to four: weights by hand of sinc(x) sinc(x / 2) at 3/8 and 9/8 of a column.
+    const std::string picture = png_bytes({.width = 3, .colour_type = 0}, std::array{0, 64, 255});
+    const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x); };
+    const auto weight = [&](double x) { return std::abs(x) < 2.0 ? sinc(x) * sinc(x / 2.0) : 0.0; };
+    const std::array value = {0.0, 64 / 255.0, 1.0};
+    for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::black}) {
+        const Image<float> numbers =
+            read_number_texels("x.png", picture, LinearTransfer{}, TextureFilter::bilinear, wrap);
+        ASSERT_EQ(numbers.width(), 4);
+        ASSERT_EQ(numbers.height(), 1);
+        for (int x = 0; x < 4; ++x) {
+            const double centre = (x + 0.5) * 0.75;
+            double sum = 0.0, weights = 0.0;
+            for (int i = -3; i < 6; ++i) {
+                const int inside = wrap == TextureWrap::repeat ? (i + 3) % 3 : std::clamp(i, 0, 2);
+                const bool is_black = wrap == TextureWrap::black && inside != i;
+                sum += is_black ? 0.0 : weight(i + 0.5 - centre) * value.at(static_cast<std::size_t>(inside));
+                weights += weight(i + 0.5 - centre);
+            }
+            // What goes beyond is cut off, as codes of 8 bits can't hold it; the rest is such a code.
+            const double expected = std::clamp(sum / weights, 0.0, 1.0);
+            EXPECT_NEAR(numbers(x, 0), std::round(255.0 * expected) / 255.0, 1e-6) << x;
+        }
+    }
+}
+
+TEST(TextureImage, EnlargedTexelsOfSixteenBitsAreNotRounded) {
+    const std::string picture =
+        png_bytes({.width = 1, .height = 3, .bits = 16, .colour_type = 0}, std::array{0, 0, 65535});
+    const Image<RGB> texels = read_rgb_texels("x.png", picture, LinearTransfer{}, TextureWrap::clamp).texels;
+    ASSERT_EQ(texels.width(), 1);
+    ASSERT_EQ(texels.height(), 4);
+    EXPECT_LT(texels(0, 1).g, -0.001f) << "the filter goes beyond";
+    EXPECT_GT(texels(0, 3).g, 1.001f);
+    // As lights are: no wrap, no change.
+    EXPECT_EQ(read_rgb_texels("x.png", picture, LinearTransfer{}).texels.height(), 3);
+}
+
+TEST(TextureImage, WhatFitsIsNotEnlarged) {
+    const std::string picture = png_bytes({.width = 2, .height = 2}, kFourColours);
+    const Image<RGB> as_is = read_rgb_texels("x.png", picture).texels;
+    EXPECT_EQ(read_rgb_texels("x.png", picture, {}, TextureWrap::repeat).texels, as_is);
+}
+
+TEST(TextureImage, EvenPicturesStayEvenWhenEnlarged) {
+    const std::string picture = png_bytes({.width = 5, .height = 3}, std::vector<int>(45, 77));
+    for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::octahedral_sphere}) {
+        const Image<RGB> texels = read_rgb_texels("x.png", picture, {}, wrap).texels;
+        ASSERT_EQ(texels.width(), 8);
+        ASSERT_EQ(texels.height(), 4);
+        for (const RGB& texel : texels.pixels()) {
+            expect_rgb(texel, srgb_decoded(77 / 255.0), srgb_decoded(77 / 255.0), srgb_decoded(77 / 255.0));
+        }
     }
 }
 
@@ -174,7 +311,7 @@ TEST(TextureImage, RadianceNumbersAreThoseOfTheFile) {
     // (128, 64, 32) * 2^-8, whatever the exposure was.
     write_text(path, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=4\nCOLORCORR=1 2 1\n\n-Y 1 +X 1\n" +
                          bytes_of({128, 64, 32, 128}));
-    expect_rgb(read_rgb_texels(path, read_text(path))(0, 0), 0.5, 0.25, 0.125, 0.002);
+    expect_rgb(read_rgb_texels(path, read_text(path)).texels(0, 0), 0.5, 0.25, 0.125, 0.002);
 }
 
 TEST(TextureImage, TexelsMustBeFinite) {

@@ -108,6 +108,27 @@ TEST(TextureLookup, BilinearIsExactAtCentresAndLinearBetween) {
     EXPECT_FLOAT_EQ(bilinear(any, (1.5 + 0.25) / 3, 1.0 - (0.5 + 0.75) / 2), 1.0f + 1.25f + 3 * 0.75f);
 }
 
+TEST(TextureLookup, TheBellIsThatOfEllipsesWithoutFootprint) {
+    const auto bell = [](double s, double t) {
+        return lookup(numbered_image(), TextureWrap::clamp, TextureFilter::gaussian, Imath::V2d(s, t));
+    };
+    EXPECT_FLOAT_EQ(bell(0.5 / 3, 0.75), 1.0f);
+    EXPECT_FLOAT_EQ(bell(1.0 / 3, 0.75), 1.5f);
+    EXPECT_FLOAT_EQ(bell(1.0 / 3, 0.5), 3.0f);
+    // A quarter of a texel to the right of the first: nearer to it than straight lines are.
+    const double near = std::exp(-2.0 / 16) - std::exp(-2.0), far = std::exp(-2.0 * 9 / 16) - std::exp(-2.0);
+    EXPECT_NEAR(bell(0.75 / 3, 0.75), 1.0 + far / (near + far), 1e-6);
+    // Towards the middle of four, with the two of the other row: one of them is too far away.
+    const double x = 0.25, y = 0.125;
+    const auto weight = [](double dx, double dy) {
+        return std::max(0.0, std::exp(-2.0 * (dx * dx + dy * dy)) - std::exp(-2.0));
+    };
+    const double w[] = {weight(x, y), weight(1 - x, y), weight(x, 1 - y), weight(1 - x, 1 - y)};
+    EXPECT_EQ(w[3], 0.0);
+    EXPECT_NEAR(bell((0.5 + x) / 3, 1.0 - (0.5 + y) / 2), (1.0 * w[0] + 2.0 * w[1] + 4.0 * w[2]) / (w[0] + w[1] + w[2]),
+                1e-6);
+}
+
 TEST(TextureLookup, BilinearMixesWithWhatLiesBeyondTheBorder) {
     // In the middle of the left edge of the upper row.
     EXPECT_FLOAT_EQ(bilinear(TextureWrap::repeat, 0.0, 0.75), 2.0f);  // 1 and 3

@@ -1,10 +1,13 @@
 #include "spectrum/named_spectra.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "spectrum/chromaticity.h"
+#include "spectrum/colorimetry.h"
 #include "spectrum/data_table.h"
 
 namespace emulsion {
@@ -37,6 +40,17 @@ TEST(NamedSpectra, GlassesOfPbrtAreThoseOfItsTables) {
     EXPECT_NEAR(value("glass-LASF9", 589.3), 1.85004, 3e-5);
 }
 
+TEST(NamedSpectra, TheWhiteOfAcesIsDaylightOf6000K) {
+    // Three of the numbers that AMPAS publishes, to the rounding of the components' weights.
+    EXPECT_NEAR(value("illum-acesD60", 360.0), 38.3813, 5e-4);
+    EXPECT_NEAR(value("illum-acesD60", 365.0), 40.6445, 5e-4);
+    EXPECT_NEAR(value("illum-acesD60", 370.0), 42.9077, 5e-4);
+    const Chromaticity white = chromaticity_of(xyz_of_radiance(*named_spectrum("illum-acesD60")));
+    EXPECT_NEAR(white.x, 0.32168, 2e-4);
+    EXPECT_NEAR(white.y, 0.33767, 2e-4);
+    EXPECT_TRUE(is_known_to_pbrt("illum-acesD60"));
+}
+
 TEST(NamedSpectra, EveryListedNameIsAValidSpectrum) {
     const std::vector<std::string> names = named_spectrum_names();
     EXPECT_GE(names.size(), 80u);
@@ -46,6 +60,8 @@ TEST(NamedSpectra, EveryListedNameIsAValidSpectrum) {
         EXPECT_GT(value(name, 550.0), 0.0) << name;
     }
     EXPECT_THAT(names, Contains("metal-Au-k"));
+    EXPECT_THAT(names, Contains("illum-acesD60"));
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
 }
 
 TEST(NamedSpectra, UnknownNamesAreUnset) {
@@ -61,8 +77,8 @@ TEST(NamedSpectra, KnowsWhichNamesPbrtHas) {
         EXPECT_TRUE(is_known_to_pbrt(name)) << name;
         EXPECT_TRUE(named_spectrum(name).has_value()) << name;
     }
-    for (const char* name : {"metal-MgO-eta", "metal-TiO2-k", "illum-acesD60", "canon_eos_5d_mkiv_r", "nikon_d850_g",
-                             "sony_ilce_9_b", "hasselblad_l1d_20c_r"}) {
+    for (const char* name : {"metal-MgO-eta", "metal-TiO2-k", "canon_eos_5d_mkiv_r", "nikon_d850_g", "sony_ilce_9_b",
+                             "hasselblad_l1d_20c_r"}) {
         EXPECT_TRUE(is_known_to_pbrt(name)) << name;
         EXPECT_FALSE(named_spectrum(name).has_value()) << name;
     }

@@ -81,6 +81,7 @@ TEST(SigmoidTable, IsLittleWorseThanTheExactSolverInWiderSpaces) {
     check("Display_P3", 1.2);
     check("Rec2020", 2.6);
     check("ACEScg_AP1", 4.0);
+    check("ACES2065_1_AP0", 6.0);  // 4.4 over these
 }
 
 TEST(SigmoidTable, NodesAreSolutions) {

@@ -1,0 +1,232 @@
+#include "analysis/model_analysis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "analysis/wavelength_noise.h"
+#include "core/parallel.h"
+#include "pathtracer/render.h"
+#include "pathtracer/sample_sequence.h"
+#include "pathtracer/spectrum_nodes.h"
+#include "spectrum/ciede2000_difference.h"
+#include "spectrum/observer.h"
+#include "spectrum/viewing_conditions.h"
+
+namespace emulsion {
+
+namespace {
+
+/// What is chosen from, by cost.
+const std::array<TransportModel, 4>& channel_models() {
+    static const std::array<TransportModel, 4> models = {RgbModel{}, PrefilteredRgbModel{}, BasisModel{4},
+                                                         BasisModel{8}};
+    return models;
+}
+std::vector<TransportModel> spectral_models() {
+    std::vector<TransportModel> models;
+    for (const int wavelengths : {1, 2, 4, 8, 16, 32}) {
+        models.emplace_back(SpectralModel{wavelengths, HeroVisible{}});
+        models.emplace_back(SpectralModel{wavelengths, HeroIlluminant{}});
+    }
+    return models;
+}
+
+/// The pilot's pixels as colours, and how they are looked at.
+struct SeenPilot {
+    std::vector<Lab> exact;
+    ViewingConditions viewing;
+};
+
+SeenPilot seen(const Pilot& pilot) {
+    std::vector<XYZd> xyz;
+    double log_sum = 0.0, positive = 0.0;
+    for (const ChannelValues& pixel : pilot.pixels) {
+        xyz.push_back(xyz_of(pilot.channels, pilot.channels.bands, pixel));
+        if (!(xyz.back().y > 0.0)) continue;
+        log_sum += std::log(xyz.back().y);
+        positive += 1.0;
+    }
+    SeenPilot result;
+    const double log_average = positive > 0.0 ? std::exp(log_sum / positive) : 1.0;
+    result.viewing = {default_white(cie_1931_2deg()), white_luminance_of_log_average(log_average)};
+    for (const XYZd& v : xyz) result.exact.push_back(lab_as_viewed(v, result.viewing));
+    return result;
+}
+
+/// The least value that 99 in 100 don't exceed.
+double percentile_99(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(values.size()))) - 1;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
+    return values[rank];
+}
+
+void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part, ModelPrediction& prediction) {
+    std::vector<double> errors;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pilot.pixels.size(); ++i) {
+        const XYZd xyz = xyz_of(pilot.channels, pilot.channels.models[part], pilot.pixels[i]);
+        errors.push_back(difference(Ciede2000Difference{}, exact.exact[i], lab_as_viewed(xyz, exact.viewing)));
+        sum += errors.back();
+    }
+    prediction.mean = sum / static_cast<double>(errors.size());
+    prediction.p99 = percentile_99(std::move(errors));
+}
+
+/// Mean square difference that the paths' own variance makes in a pixel of this many samples.
+double light_noise(const Pilot& pilot, const SeenPilot& exact, std::size_t pixel, double samples_of_pilot,
+                   double samples) {
+    const XYZd xyz = xyz_of(pilot.channels, pilot.channels.bands, pilot.pixels[pixel]);
+    if (!(xyz.y > 0.0)) return 0.0;
+    const double relative = pilot.luminance_error[pixel] / xyz.y * std::sqrt(samples_of_pilot / samples);
+    const Lab brighter = lab_as_viewed((1.0 + relative) * xyz, exact.viewing);
+    const double e = difference(Ciede2000Difference{}, exact.exact[pixel], brighter);
+    return e * e;
+}
+
+/// Why a film of this scene can't be made of channels: they know XYZ of one observer alone.
+std::string why_only_spectral(const Scene& scene) {
+    const FilmOptions film = film_options(scene);
+    if (observer(film.sensor.observer).name != cie_1931_2deg().name)
+        return "the film has another observer than CIE 1931";
+    if (film.sensor.camera) return "the film sees as a camera";
+    if (film.sensor.white_balance) return "the film has a white balance";
+    if (film.spectrum) return "the film has spectral buckets";
+    return {};
+}
+
+std::string in_short(const ModelPrediction& p) {
+    return fmt::format("{} {:.2g} mean, {:.2g} p99", to_text(p.model), p.mean, p.p99);
+}
+
+}  // namespace
+
+void validate(const ErrorBudget& budget) {
+    for (const auto& [name, value] : {std::pair("mean", budget.mean), std::pair("p99", budget.p99)}) {
+        if (std::isfinite(value) && value >= 0.0) continue;
+        throw std::invalid_argument(fmt::format("error budget: {} = {}: must be finite and at least 0", name, value));
+    }
+}
+
+double relative_cost(const TransportModel& model) {
+    if (const auto* basis = std::get_if<BasisModel>(&model))
+        return basis->functions <= 3 ? 1.0 : basis->functions <= 4 ? 1.02 : 1.08;
+    const auto* spectral = std::get_if<SpectralModel>(&model);
+    if (spectral == nullptr) return 1.0;
+    switch (spectral->wavelengths) {
+        case 1:
+            return 1.05;
+        case 2:
+            return 1.08;
+        case 4:
+            return 1.15;
+        case 8:
+            return 1.3;
+        case 16:
+            return 1.65;
+        default:
+            return 2.4;
+    }
+}
+
+ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, const PilotOptions& options) {
+    validate(budget);
+    const Pilot pilot = trace_pilot(scene, channel_models(), options);
+    const SeenPilot exact = seen(pilot);
+
+    ModelAnalysis analysis;
+    analysis.budget = budget;
+    analysis.only_spectral = why_only_spectral(scene.scene());
+    double control = 0.0, marked = 0.0;
+    std::vector<double> shares;
+    for (const ChannelValues& pixel : pilot.pixels) {
+        control += pixel[pilot.channels.control];
+        marked += pixel[pilot.channels.marked];
+        const double whole = pixel[pilot.channels.control];
+        shares.push_back(whole > 0.0 ? 1.0 - pixel[pilot.channels.marked] / whole : 0.0);
+    }
+    analysis.dispersed_share = control > 0.0 ? 1.0 - marked / control : 0.0;
+    analysis.disperses = analysis.dispersed_share > kDispersionSeen || percentile_99(shares) > kDispersionSeen;
+
+    // Noise of pixels at the time of rgb; of some of them, evenly spread.
+    const double samples = samples_per_pixel(scene.scene().sampler);
+    const double samples_of_pilot =
+        samples_per_pixel(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel));
+    constexpr std::size_t kNoisePixels = 256;
+    const std::size_t stride = 1 + pilot.pixels.size() / kNoisePixels;
+    const std::vector<double> light = node_integrals(sum_of_lights(scene.scene_spectra()));
+    const auto noise_of = [&](const ModelPrediction& prediction, const SpectralModel* spectral) {
+        const double at_equal_time = samples / prediction.cost;
+        double sum = 0.0, count = 0.0;
+        for (std::size_t i = 0; i < pilot.pixels.size(); i += stride) {
+            sum += light_noise(pilot, exact, i, samples_of_pilot, at_equal_time);
+            if (spectral != nullptr) {
+                sum += wavelength_noise(pilot.channels, pilot.pixels[i], light, scene.wavelengths(),
+                                        spectral->wavelengths, at_equal_time, exact.viewing);
+            }
+            count += 1.0;
+        }
+        return std::sqrt(sum / count);
+    };
+
+    for (std::size_t i = 0; i < channel_models().size(); ++i) {
+        ModelPrediction& prediction = analysis.models.emplace_back();
+        prediction.model = channel_models()[i];
+        prediction.cost = relative_cost(prediction.model);
+        predict_error(pilot, exact, i, prediction);
+        prediction.noise = noise_of(prediction, nullptr);
+        prediction.good_enough = prediction.mean <= budget.mean && prediction.p99 <= budget.p99 &&
+                                 !analysis.disperses && analysis.only_spectral.empty();
+    }
+    std::size_t least_noisy = analysis.models.size();
+    for (const TransportModel& model : spectral_models()) {
+        ModelPrediction& prediction = analysis.models.emplace_back();
+        prediction.model = model;
+        prediction.cost = relative_cost(model);
+        scene.prepare_for(model);
+        prediction.noise = noise_of(prediction, &std::get<SpectralModel>(model));
+        prediction.good_enough = true;
+        if (prediction.noise < analysis.models[least_noisy].noise) least_noisy = analysis.models.size() - 1;
+    }
+    const auto cheap = std::find_if(analysis.models.begin(), analysis.models.begin() + channel_models().size(),
+                                    [](const ModelPrediction& p) { return p.good_enough; });
+    const auto chosen = static_cast<std::size_t>(cheap - analysis.models.begin());
+    analysis.chosen = chosen < channel_models().size() ? chosen : least_noisy;
+    scene.prepare_for(analysis.models[analysis.chosen].model);
+    return analysis;
+}
+
+std::string reasons(const ModelAnalysis& analysis) {
+    const ModelPrediction& chosen = analysis.models[analysis.chosen];
+    const bool spectral = std::holds_alternative<SpectralModel>(chosen.model);
+    std::string first = to_text(chosen.model) + ": ";
+    if (!spectral) {
+        first += fmt::format("predicted dE00 {:.2g} mean, {:.2g} p99; asked for {:g} and {:g}", chosen.mean, chosen.p99,
+                             analysis.budget.mean, analysis.budget.p99);
+    } else if (!analysis.only_spectral.empty()) {
+        first += analysis.only_spectral;
+    } else if (analysis.disperses) {
+        first += fmt::format("glass disperses {:.2g} % of the light", 100.0 * analysis.dispersed_share);
+    } else {
+        first += fmt::format("no cheaper model is predicted within dE00 {:g} mean, {:g} p99", analysis.budget.mean,
+                             analysis.budget.p99);
+    }
+    // The best of what is cheaper and was not taken; or what the next step up would cost.
+    std::string second;
+    const auto cheaper_end =
+        analysis.models.begin() + static_cast<std::ptrdiff_t>(std::min(analysis.chosen, channel_models().size()));
+    const auto best = std::min_element(analysis.models.begin(), cheaper_end,
+                                       [](const auto& a, const auto& b) { return a.mean < b.mean; });
+    if (best != cheaper_end) second = in_short(*best);
+    if (!spectral) {
+        const double cost = relative_cost(SpectralModel{}) / chosen.cost;
+        second += fmt::format("{}{} would cost {:.2f}x", second.empty() ? "" : "; ", to_text(SpectralModel{}), cost);
+    }
+    return first + "\n" + second;
+}
+
+}  // namespace emulsion

@@ -1,0 +1,69 @@
+#pragma once
+// No more than a scene needs: what each transport model would get wrong in a scene, what it costs, and which of them is
+// the cheapest that is good enough.
+//
+// Predicted are colour differences (CIEDE2000, by the rule of spectrum/viewing_conditions.h) over the pixels of a pilot
+// (analysis/pilot.h), between its bands of wavelengths and the model's channels on the same paths. All bounces that the
+// scene's integrator follows count. Spectral models have no such error, in the mean over many pictures; they have
+// colour noise, which the pilot's spectra tell, too.
+//
+// What a pilot can't see: details smaller than its pixels count by their mean, and light that none of its paths finds
+// doesn't count. Dispersion has no channel: where more than a little light passes dispersing glass, only spectral
+// models are good enough, whatever the budget.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/pilot.h"
+#include "pathtracer/prepared_scene.h"
+#include "pathtracer/transport_model.h"
+
+namespace emulsion {
+
+/// The colour error that a render may have, CIEDE2000.
+struct ErrorBudget {
+    double mean = 1.0;  ///< over pixels; finite, >= 0
+    double p99 = 3.0;   ///< that 99 in 100 pixels don't exceed; finite, >= 0
+    bool operator==(const ErrorBudget&) const = default;
+};
+
+/// \throws std::invalid_argument naming the field, its value and its range.
+void validate(const ErrorBudget& budget);
+
+struct ModelPrediction {
+    TransportModel model;
+    double mean = 0.0, p99 = 0.0;  ///< CIEDE2000; 0 for spectral models
+    double cost = 1.0;             ///< relative_cost()
+    double noise = 0.0;            ///< root mean square CIEDE2000 of a pixel, at the time that rgb takes for the
+                                   ///< scene's samples
+    bool good_enough = false;      ///< within the budget, and sees the dispersion that there is
+};
+
+struct ModelAnalysis {
+    ErrorBudget budget;
+    std::vector<ModelPrediction> models;  ///< by cost
+    std::size_t chosen = 0;               ///< the cheapest that is good enough; of spectral models, the least noisy
+    double dispersed_share = 0.0;         ///< of the picture's luminance: what passed dispersing glass
+    bool disperses = false;               ///< more than kDispersionSeen of it, or of the brightest hundredth of pixels
+    std::string only_spectral;            ///< why models of channels can't be used at all; empty: they can
+};
+
+/// What is taken for invisible.
+inline constexpr double kDispersionSeen = 0.005;
+
+/// Time per sample as a multiple of that of rgb, on the Cornell box: docs/path-tracer.md, measured by
+/// bench_pathtracer_transport. Fixed numbers, so that the same scene is always rendered by the same model.
+[[nodiscard]] double relative_cost(const TransportModel& model);
+
+/// \throws std::invalid_argument as validate() does, and as trace_pilot(). Leaves the scene prepared for the chosen
+/// model.
+[[nodiscard]] ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget,
+                                           const PilotOptions& options = {});
+
+/// The decision and its reasons, in two lines:
+///     rgb-prefiltered: predicted dE00 0.4 mean, 1.1 p99, within 1 and 3
+///     cheaper: rgb 2.1 mean, 6.3 p99; spectral:4 would cost 1.15x
+[[nodiscard]] std::string reasons(const ModelAnalysis& analysis);
+
+}  // namespace emulsion
