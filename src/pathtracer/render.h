@@ -21,7 +21,7 @@ struct RenderOptions {
     /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
     std::optional<SampleRange> samples = std::nullopt;
     std::uint64_t seed = 0;  ///< another seed, another independent picture
-    TransportModel model;    ///< that the scene is prepared for
+    TransportModel model = {};  ///< that the scene is prepared for
     int threads = 0;         ///< >= 0; 0: one per hardware thread
 };
 
