@@ -3,28 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/random.h"
+#include "caustic.h"
 #include "film/film.h"
 
 namespace emulsion {
 namespace {
 
-/// u^-a of mean 1 / (1 - a) and, for a >= 1/2, infinite variance: the tail of a caustic's estimate that is drawn with a
-/// density which falls off faster than what it estimates.
-constexpr float kExponent = 0.75f;
-constexpr double kMean = 4.0;
-
-XYZ caustic_sample(Pcg32& random) {
-    const float u = (static_cast<float>(random.next() >> 8u) + 0.5f) * 0x1p-24f;
-    const float value = std::pow(u, -kExponent);
-    return {value, value, value};
-}
+using stability::caustic_film;
+using stability::kCausticMean;
 
 struct Pixels {
     Image<XYZ> picture;
@@ -37,8 +27,8 @@ struct Pixels {
     /// The mean distance from the true mean, over it.
     [[nodiscard]] double error() const {
         double sum = 0.0;
-        for (const XYZ& pixel : picture.pixels()) sum += std::abs(static_cast<double>(pixel.y) - kMean);
-        return sum / static_cast<double>(picture.pixels().size()) / kMean;
+        for (const XYZ& pixel : picture.pixels()) sum += std::abs(static_cast<double>(pixel.y) - kCausticMean);
+        return sum / static_cast<double>(picture.pixels().size()) / kCausticMean;
     }
     [[nodiscard]] double brightest() const {
         float largest = 0.0f;
@@ -47,38 +37,30 @@ struct Pixels {
     }
 };
 
-/// 32 x 32 pixels of the same caustic.
 Pixels render(const FireflyControl& control, std::uint64_t samples) {
-    Film film({.width_px = 32, .height_px = 32, .firefly_control = control});
-    FilmTile tile = film.make_tile(film.bounds());
-    Pcg32 random(11);
-    for (std::uint64_t i = 0; i < samples; ++i) {
-        tile.set_sample_index(i);
-        for (int p = 0; p < 32 * 32; ++p) tile.add(p % 32, p / 32, caustic_sample(random), 1.0f);
-    }
-    film.merge(tile);
-    return {film.xyz_image(), film.counts()};
+    const auto film = caustic_film(control, samples);
+    return {film->xyz_image(), film->counts()};
 }
 
 TEST(InfiniteVariance, RobustEstimatorsTradeFirefliesForBias) {
     const Pixels plain = render(NoFireflyControl{}, 256), median = render(MedianOfMeans{5}, 256),
                  clamped = render(LuminanceClamp{100.0f}, 256);
-    EXPECT_GT(plain.brightest(), 13.0 * kMean);
-    EXPECT_NEAR(plain.mean() / kMean, 0.953, 0.005);
+    EXPECT_GT(plain.brightest(), 13.0 * kCausticMean);
+    EXPECT_NEAR(plain.mean() / kCausticMean, 0.953, 0.005);
     EXPECT_NEAR(plain.error(), 0.245, 0.005);
 
     // The median takes the fireflies and a fifth of the light; the mean distance from the truth hardly changes.
-    EXPECT_LT(median.brightest(), 3.0 * kMean);
-    EXPECT_NEAR(median.mean() / kMean, 0.797, 0.005);
+    EXPECT_LT(median.brightest(), 3.0 * kCausticMean);
+    EXPECT_NEAR(median.mean() / kCausticMean, 0.797, 0.005);
     EXPECT_NEAR(median.error(), 0.225, 0.005);
 
-    EXPECT_LT(clamped.brightest(), 3.0 * kMean);
-    EXPECT_NEAR(clamped.mean() / kMean, 0.838, 0.005);
+    EXPECT_LT(clamped.brightest(), 3.0 * kCausticMean);
+    EXPECT_NEAR(clamped.mean() / kCausticMean, 0.838, 0.005);
     EXPECT_NEAR(clamped.error(), 0.173, 0.005);
 
     // E[min(X, c)] = mean - a / (1 - a) c^(1 - 1 / a): what the clamp takes is known, and kept count of.
     const double taken = 3.0 * std::pow(100.0, -1.0 / 3.0);
-    EXPECT_NEAR(kMean - clamped.mean(), taken, 0.02);
+    EXPECT_NEAR(kCausticMean - clamped.mean(), taken, 0.02);
     const double removed = clamped.counts.clamped.removed_luminance.value() / (256.0 * 32.0 * 32.0);
     EXPECT_NEAR(clamped.mean() + removed, plain.mean(), 1e-4);
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/image.h"
+#include "step_picture.h"
 #include "tonemap/gaussian_blur.h"
 #include "tonemap/luminance_statistics.h"
 #include "tonemap/tone_mapper.h"
@@ -97,15 +98,6 @@ TEST(ConstantPicture, IsNothingOverNothingInT) {
 
 // --- Halos
 
-/// Dark on the left, bright on the right of x = 256.
-Image<XYZ> step() {
-    Image<XYZ> scene(512, 64);
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 512; ++x) scene(x, y) = grey(x < 256 ? 1.0f : 1000.0f);
-    }
-    return scene;
-}
-
 /// How far a pixel near the edge, of an even plane, is from one far from it: the largest ratio, either way, within 24
 /// pixels of the edge on its dark side; the two next to it are left out.
 double halo(const Image<XYZ>& picture) {
@@ -117,17 +109,9 @@ double halo(const Image<XYZ>& picture) {
     return largest;
 }
 
-// Pixels over the Gaussian mean of their surroundings, which beside the bright plane are mostly not their own.
 TEST(Halos, OfGaussianSurroundsAreGoneFromThoseThatStopAtEdges) {
-    const Image<XYZ> scene = step();
-    Image<float> luminance(512, 64);
-    for (std::size_t i = 0; i < scene.pixels().size(); ++i) luminance.pixels()[i] = scene.pixels()[i].y;
-    const Image<float> surround = gaussian_blur(luminance, 16.0, 1);
-    Image<XYZ> naive(512, 64);
-    for (std::size_t i = 0; i < scene.pixels().size(); ++i) {
-        naive.pixels()[i] = grey(luminance.pixels()[i] / (luminance.pixels()[i] + surround.pixels()[i]));
-    }
-    EXPECT_NEAR(halo(naive), 219.5, 0.5);
+    const Image<XYZ> scene = stability::step();
+    EXPECT_NEAR(halo(stability::over_gaussian_surround(scene)), 219.5, 0.5);
     EXPECT_NEAR(halo(mapped({Durand{}}, scene)), 1.0, 0.05);
     EXPECT_NEAR(halo(mapped({ReinhardLocal{}}, scene)), 1.0, 0.05);
     EXPECT_NEAR(halo(mapped({LocalAdaptation{}, VaryingRadiusAdaptation{}}, scene)), 1.0, 0.05);
