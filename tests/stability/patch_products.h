@@ -14,13 +14,15 @@
 
 namespace emulsion::stability {
 
-/// The first 18 of the 24 patches, from dark skin to cyan: all but the greys.
-inline std::vector<Spectrum> coloured_patches() {
+inline constexpr std::size_t kAllPatches = 24, kColouredPatches = 18;
+
+/// The first `count` patches, from dark skin to black; the last six are greys.
+inline std::vector<Spectrum> checker_patches(std::size_t count) {
     std::vector<Spectrum> patches;
     for (const NamedSpectrumInfo& entry : spectrum_catalogue()) {
         if (entry.name.starts_with("colorchecker-")) patches.emplace_back(spectrum_of(entry));
     }
-    patches.resize(18);
+    patches.resize(count);
     return patches;
 }
 
@@ -29,14 +31,15 @@ struct Product {
     XYZd spectral, model;
 };
 
-/// Of light with every pair of different coloured patches: 153 of 18.
+/// Of light with every pair of different patches: 153 of 18, 276 of 24.
 struct PairProducts {
     std::vector<Product> pair;
     XYZd white;
 };
 
-inline PairProducts pair_products(const TransportModel& model, const Spectrum& light) {
-    const std::vector<Spectrum> patches = coloured_patches();
+inline PairProducts pair_products(const TransportModel& model, const Spectrum& light,
+                                  std::size_t patch_count = kColouredPatches) {
+    const std::vector<Spectrum> patches = checker_patches(patch_count);
     const FixedChannels channels = *channels_of(model, {{{light, 1.0}}, patches});
     const ChannelValues lamp = light_values(channels, light);
     std::vector<ChannelValues> r;

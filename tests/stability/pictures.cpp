@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -28,15 +29,14 @@ namespace {
 /// Codes of 8 bits, clipped.
 CodeRGB code_of(const RGBd& linear) {
     const auto code = [](double value) {
-        return static_cast<std::uint16_t>(255.0 * encode(SrgbTransfer{}, std::clamp(value, 0.0, 1.0)) + 0.5);
+        return static_cast<std::uint16_t>(std::lround(255.0 * encode(SrgbTransfer{}, std::clamp(value, 0.0, 1.0))));
     };
     return {code(linear.r), code(linear.g), code(linear.b)};
 }
 
 /// Of XYZ with Y = 1 for white, D65.
 RGBd linear_srgb(const XYZd& xyz) {
-    static const Matrix3 kRgbFromXyz = rgb_from_xyz(rgb_space("sRGB"));
-    const auto [r, g, b] = kRgbFromXyz * std::array{xyz.x, xyz.y, xyz.z};
+    const auto [r, g, b] = rgb_from_xyz(rgb_space("sRGB")) * std::array{xyz.x, xyz.y, xyz.z};
     return {r, g, b};
 }
 CodeRGB code_of(const XYZd& xyz) { return code_of(linear_srgb(xyz)); }

@@ -51,6 +51,23 @@ TEST(RgbProducts, OfColorCheckerPairsUnderD65) {
     expect_differences(BasisModel{8}, d65, 0.44, 1.7);
 }
 
+// Where the mean of 3.9 and the largest of 34 depend on what is counted: with X, Y and Z below 0 left as they are, and
+// over all patches. The worst pair is red and cyan, whose red is negative.
+TEST(RgbProducts, DifferWithNegativeLightAndWithGreys) {
+    const Spectrum d65 = catalogue_spectrum("D65");
+    const PairProducts products = pair_products(RgbModel{}, d65);
+    double mean = 0.0, largest = 0.0;
+    for (const Product& p : products.pair) {
+        const double d = ciede2000(p.spectral, p.model, products.white);
+        mean += d / 153.0;
+        largest = std::max(largest, d);
+    }
+    EXPECT_NEAR(mean, 3.88, 0.01);
+    EXPECT_NEAR(largest, 37.0, 0.05);
+    EXPECT_NEAR(differences(pair_products(RgbModel{}, d65, kAllPatches)).mean, 2.17, 0.01);
+    EXPECT_LT(RgbUplift(rgb_space("Rec709")).rgb_of(catalogue_spectrum("colorchecker-cyan")).r, 0.0);
+}
+
 TEST(RgbProducts, UnderAFluorescentTube) {
     const Spectrum tube = catalogue_spectrum("FL11");
     expect_differences(RgbModel{}, tube, 5.74, 40.6);
