@@ -11,6 +11,7 @@
 
 #include "core/matrix3.h"
 #include "display/gamut_mapper.h"
+#include "film/sensor.h"
 #include "patch_products.h"
 #include "spectrum/cielab.h"
 #include "spectrum/integral.h"
@@ -18,6 +19,7 @@
 #include "spectrum/rgb_space.h"
 #include "spectrum/rgb_uplift.h"
 #include "spectrum/sigmoid.h"
+#include "spectrum/wavelength_sampling.h"
 
 namespace emulsion::stability {
 namespace {
@@ -51,6 +53,27 @@ TEST(RgbProducts, OfColorCheckerPairsUnderD65) {
     expect_differences(BasisModel{8}, d65, 0.44, 1.7);
 }
 
+/// The worst pair by paths of four wavelengths: no bias, and a noise that falls with their number.
+TEST(RgbProducts, AreWhatTheyShouldBeByWavelengths) {
+    const Spectrum d65 = catalogue_spectrum("D65"), red = catalogue_spectrum("colorchecker-red"),
+                   cyan = catalogue_spectrum("colorchecker-cyan");
+    const XYZd exact = xyz_of_reflectance(product_of(red, cyan), d65);
+    const double white_luminance = xyz_of_radiance(d65).y;
+    const Sensor sensor;
+    constexpr int kPaths = 4096;
+    XYZd sum;
+    for (int i = 0; i < kPaths; ++i) {
+        const auto path = hero_wavelengths<4>(VisibleWavelengthPdf{}, (static_cast<float>(i) + 0.5f) / kPaths);
+        SampledSpectrum<4> radiance;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto nm = static_cast<double>(path.lambda_nm[k]);
+            radiance.value[k] = static_cast<float>(eval(d65, nm) * eval(red, nm) * eval(cyan, nm));
+        }
+        sum = sum + 1.0 / (kPaths * white_luminance) * sensor.to_xyz_reference(path, radiance);
+    }
+    EXPECT_LT(ciede2000(exact, sum, xyz_of_reflectance(ConstantSpectrum{1.0}, d65)), 0.01);
+}
+
 // Where the mean of 3.9 and the largest of 34 depend on what is counted: with X, Y and Z below 0 left as they are, and
 // over all patches. The worst pair is red and cyan, whose red is negative.
 TEST(RgbProducts, DifferWithNegativeLightAndWithGreys) {
@@ -71,6 +94,9 @@ TEST(RgbProducts, DifferWithNegativeLightAndWithGreys) {
 TEST(RgbProducts, UnderAFluorescentTube) {
     const Spectrum tube = catalogue_spectrum("FL11");
     expect_differences(RgbModel{}, tube, 5.74, 40.6);
+    expect_differences(RgbModel{"Rec2020"}, tube, 3.13, 10.2);
+    expect_differences(RgbModel{"ACEScg"}, tube, 2.96, 10.3);
+    expect_differences(BasisModel{6}, tube, 0.79, 7.4);
     expect_differences(PrefilteredRgbModel{}, tube, 1.81, 9.6);
     expect_differences(BasisModel{8}, tube, 0.23, 2.0);
 }
