@@ -1,7 +1,6 @@
 // Codes of displays: curves that are steep at 0, and errors that are diffused.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

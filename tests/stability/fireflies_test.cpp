@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -139,8 +140,9 @@ struct Effort {
 };
 class InfiniteVarianceSlope : public testing::TestWithParam<Effort> {};
 TEST_P(InfiniteVarianceSlope, IsThatOfTheFourthRoot) { expect_slow_convergence(GetParam().few, GetParam().many); }
-INSTANTIATE_TEST_SUITE_P(Short, InfiniteVarianceSlope, testing::Values(Effort{16, 1024}));
-INSTANTIATE_TEST_SUITE_P(Long, InfiniteVarianceSlope, testing::Values(Effort{64, 65536}));
+std::string effort_name(const testing::TestParamInfo<Effort>& info) { return "To" + std::to_string(info.param.many); }
+INSTANTIATE_TEST_SUITE_P(Short, InfiniteVarianceSlope, testing::Values(Effort{16, 1024}), effort_name);
+INSTANTIATE_TEST_SUITE_P(Long, InfiniteVarianceSlope, testing::Values(Effort{64, 65536}), effort_name);
 
 }  // namespace
 }  // namespace emulsion

@@ -2,9 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
