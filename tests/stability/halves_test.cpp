@@ -1,6 +1,5 @@
 // Pictures of 16-bit floats: what is above their largest, below their least, and in steps too wide between.
 
-
 #include <Imath/half.h>
 #include <gtest/gtest.h>
 
