@@ -16,13 +16,13 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::vector<std::string> warnings_of(const std::string& world) {
-    return testing::parse("Camera \"perspective\"\nWorldBegin\n" + world).warnings;
+    return testing::parse("Camera \"perspective\"\nWorldBegin LightSource \"infinite\"\n" + world).warnings;
 }
 
 TEST(SceneDepartures, ScaledLightsAndPartsOfThem) {
     const std::string light = "AreaLightSource \"diffuse\" ";
     EXPECT_THAT(warnings_of(light + "Scale 2 2 2 Shape \"disk\""),
-                ElementsAre(HasSubstr("3:37: a scaled shape shines")));
+                ElementsAre(HasSubstr("3:45: a scaled shape shines")));
     EXPECT_THAT(warnings_of(light + "Scale 1 1 3 Shape \"cylinder\""), ElementsAre(HasSubstr("a scaled shape")));
     EXPECT_THAT(warnings_of(light + "Shape \"disk\" \"float innerradius\" 0.5"),
                 ElementsAre(HasSubstr("a part of a shape")));
