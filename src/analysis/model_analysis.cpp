@@ -77,15 +77,65 @@ void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part,
     prediction.p99 = percentile_99(std::move(errors));
 }
 
-/// Mean square difference that the paths' own variance makes in a pixel of this many samples.
-double light_noise(const Pilot& pilot, const SeenPilot& exact, std::size_t pixel, double samples_of_pilot,
-                   double samples) {
-    const XYZd xyz = xyz_of(pilot.channels, pilot.channels.bands, pilot.pixels[pixel]);
-    if (!(xyz.y > 0.0)) return 0.0;
-    const double relative = pilot.luminance_error[pixel] / xyz.y * std::sqrt(samples_of_pilot / samples);
-    const Lab brighter = lab_as_viewed((1.0 + relative) * xyz, exact.viewing);
-    const double e = difference(Ciede2000Difference{}, exact.exact[pixel], brighter);
-    return e * e;
+/// How noisy pixels are at the time that rgb takes for the scene's samples; of some pixels, evenly spread.
+class PixelNoise {
+  public:
+    PixelNoise(const PreparedScene& scene, const Pilot& pilot, const SeenPilot& exact, int samples_per_pixel_of_pilot)
+        : scene_(scene),
+          pilot_(pilot),
+          exact_(exact),
+          samples_(samples_per_pixel(scene.scene().sampler)),
+          samples_of_pilot_(
+              samples_per_pixel(with_samples_per_pixel(scene.scene().sampler, samples_per_pixel_of_pilot))),
+          light_(node_integrals(sum_of_lights(scene.scene_spectra()))) {}
+
+    /// Root mean square CIEDE2000 of a model that the scene is prepared for.
+    [[nodiscard]] double operator()(const ModelPrediction& prediction) const {
+        constexpr std::size_t kPixels = 256;
+        const std::size_t stride = 1 + pilot_.pixels.size() / kPixels;
+        const auto* spectral = std::get_if<SpectralModel>(&prediction.model);
+        const double samples = samples_ / prediction.cost;
+        double sum = 0.0, count = 0.0;
+        for (std::size_t i = 0; i < pilot_.pixels.size(); i += stride) {
+            sum += of_light(i, samples);
+            if (spectral != nullptr) {
+                sum += wavelength_noise(pilot_.channels, pilot_.pixels[i], light_, scene_.wavelengths(),
+                                        spectral->wavelengths, samples, exact_.viewing);
+            }
+            count += 1.0;
+        }
+        return std::sqrt(sum / count);
+    }
+
+  private:
+    /// Mean square difference that the paths' own variance makes in a pixel of this many samples.
+    [[nodiscard]] double of_light(std::size_t pixel, double samples) const {
+        const XYZd xyz = xyz_of(pilot_.channels, pilot_.channels.bands, pilot_.pixels[pixel]);
+        if (!(xyz.y > 0.0)) return 0.0;
+        const double relative = pilot_.luminance_error[pixel] / xyz.y * std::sqrt(samples_of_pilot_ / samples);
+        const Lab brighter = lab_as_viewed((1.0 + relative) * xyz, exact_.viewing);
+        const double e = difference(Ciede2000Difference{}, exact_.exact[pixel], brighter);
+        return e * e;
+    }
+
+    const PreparedScene& scene_;
+    const Pilot& pilot_;
+    const SeenPilot& exact_;
+    double samples_, samples_of_pilot_;
+    std::vector<double> light_;  // of the scene, at whole nanometres
+};
+
+void note_dispersion(const Pilot& pilot, ModelAnalysis& analysis) {
+    double control = 0.0, marked = 0.0;
+    std::vector<double> shares;
+    for (const ChannelValues& pixel : pilot.pixels) {
+        const double whole = pixel[pilot.channels.control], kept = pixel[pilot.channels.marked];
+        control += whole;
+        marked += kept;
+        shares.push_back(whole > 0.0 ? 1.0 - kept / whole : 0.0);
+    }
+    analysis.dispersed_share = control > 0.0 ? 1.0 - marked / control : 0.0;
+    analysis.disperses = analysis.dispersed_share > kDispersionSeen || percentile_99(shares) > kDispersionSeen;
 }
 
 /// Why a film of this scene can't be made of channels: they know XYZ of one observer alone.
@@ -138,66 +188,39 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
     validate(budget);
     const Pilot pilot = trace_pilot(scene, channel_models(), options);
     const SeenPilot exact = seen(pilot);
+    const PixelNoise noise_of(scene, pilot, exact, options.samples_per_pixel);
 
     ModelAnalysis analysis;
     analysis.budget = budget;
     analysis.only_spectral = why_only_spectral(scene.scene());
-    double control = 0.0, marked = 0.0;
-    std::vector<double> shares;
-    for (const ChannelValues& pixel : pilot.pixels) {
-        control += pixel[pilot.channels.control];
-        marked += pixel[pilot.channels.marked];
-        const double whole = pixel[pilot.channels.control];
-        shares.push_back(whole > 0.0 ? 1.0 - pixel[pilot.channels.marked] / whole : 0.0);
-    }
-    analysis.dispersed_share = control > 0.0 ? 1.0 - marked / control : 0.0;
-    analysis.disperses = analysis.dispersed_share > kDispersionSeen || percentile_99(shares) > kDispersionSeen;
-
-    // Noise of pixels at the time of rgb; of some of them, evenly spread.
-    const double samples = samples_per_pixel(scene.scene().sampler);
-    const double samples_of_pilot =
-        samples_per_pixel(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel));
-    constexpr std::size_t kNoisePixels = 256;
-    const std::size_t stride = 1 + pilot.pixels.size() / kNoisePixels;
-    const std::vector<double> light = node_integrals(sum_of_lights(scene.scene_spectra()));
-    const auto noise_of = [&](const ModelPrediction& prediction, const SpectralModel* spectral) {
-        const double at_equal_time = samples / prediction.cost;
-        double sum = 0.0, count = 0.0;
-        for (std::size_t i = 0; i < pilot.pixels.size(); i += stride) {
-            sum += light_noise(pilot, exact, i, samples_of_pilot, at_equal_time);
-            if (spectral != nullptr) {
-                sum += wavelength_noise(pilot.channels, pilot.pixels[i], light, scene.wavelengths(),
-                                        spectral->wavelengths, at_equal_time, exact.viewing);
-            }
-            count += 1.0;
-        }
-        return std::sqrt(sum / count);
-    };
-
-    for (std::size_t i = 0; i < channel_models().size(); ++i) {
-        ModelPrediction& prediction = analysis.models.emplace_back();
-        prediction.model = channel_models()[i];
-        prediction.cost = relative_cost(prediction.model);
-        predict_error(pilot, exact, i, prediction);
-        prediction.noise = noise_of(prediction, nullptr);
-        prediction.good_enough = prediction.mean <= budget.mean && prediction.p99 <= budget.p99 &&
-                                 !analysis.disperses && analysis.only_spectral.empty();
-    }
-    std::size_t least_noisy = analysis.models.size();
-    for (const TransportModel& model : spectral_models()) {
+    note_dispersion(pilot, analysis);
+    const auto add = [&](const TransportModel& model) -> ModelPrediction& {
         ModelPrediction& prediction = analysis.models.emplace_back();
         prediction.model = model;
         prediction.cost = relative_cost(model);
-        scene.prepare_for(model);
-        prediction.noise = noise_of(prediction, &std::get<SpectralModel>(model));
-        prediction.good_enough = true;
-        if (prediction.noise < analysis.models[least_noisy].noise) least_noisy = analysis.models.size() - 1;
+        return prediction;
+    };
+    for (std::size_t i = 0; i < channel_models().size(); ++i) {
+        ModelPrediction& prediction = add(channel_models()[i]);
+        predict_error(pilot, exact, i, prediction);
+        prediction.noise = noise_of(prediction);
+        prediction.good_enough = prediction.mean <= budget.mean && prediction.p99 <= budget.p99 &&
+                                 !analysis.disperses && analysis.only_spectral.empty();
     }
-    const auto cheap = std::find_if(analysis.models.begin(), analysis.models.begin() + channel_models().size(),
-                                    [](const ModelPrediction& p) { return p.good_enough; });
-    const auto chosen = static_cast<std::size_t>(cheap - analysis.models.begin());
-    analysis.chosen = chosen < channel_models().size() ? chosen : least_noisy;
-    scene.prepare_for(analysis.models[analysis.chosen].model);
+    for (const TransportModel& model : spectral_models()) {
+        scene.prepare_for(model);
+        ModelPrediction& prediction = add(model);
+        prediction.noise = noise_of(prediction);
+        prediction.good_enough = true;
+    }
+
+    const auto first_spectral = analysis.models.begin() + channel_models().size();
+    const auto is_good = [](const ModelPrediction& p) { return p.good_enough; };
+    const auto is_less_noisy = [](const ModelPrediction& a, const ModelPrediction& b) { return a.noise < b.noise; };
+    auto chosen = std::find_if(analysis.models.begin(), first_spectral, is_good);
+    if (chosen == first_spectral) chosen = std::min_element(first_spectral, analysis.models.end(), is_less_noisy);
+    analysis.chosen = static_cast<std::size_t>(chosen - analysis.models.begin());
+    scene.prepare_for(chosen->model);
     return analysis;
 }
 

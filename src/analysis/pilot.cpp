@@ -28,7 +28,7 @@ void validate(const PilotOptions& options) {
 /// Where the pilot's pixels lie in the film: an even grid over its crop.
 struct PilotGrid {
     PixelBounds crop;
-    int width_px, height_px;
+    int width_px = 1, height_px = 1;
 
     [[nodiscard]] std::pair<float, float> place(int x, int y, std::array<float, 2> u) const noexcept {
         const auto along = [](int begin, int size, int i, float within, int count) {
@@ -89,7 +89,7 @@ Pilot trace_pilot(PreparedScene& scene, std::span<const TransportModel> models, 
                 const double y_of_path = xyz_of(pilot.channels, pilot.channels.bands, values).y;
                 squares += y_of_path * y_of_path;
             }
-            const double n = static_cast<double>(samples);
+            const auto n = static_cast<double>(samples);
             const double mean = xyz_of(pilot.channels, pilot.channels.bands, pilot.pixels[pixel]).y;
             // Of the sum of n samples, each already over n.
             const double variance = n > 1.0 ? std::max(0.0, squares - mean * mean / n) * n / (n - 1.0) : 0.0;
