@@ -62,7 +62,7 @@ MatrixXd occurring_light(const SceneSpectra& spectra, const std::vector<VectorXd
         const auto add = [&](const VectorXd& seen) {
             // Between the absolute and the relative difference, as lightness is.
             const double luminance = seen.dot(luminous);
-            if (luminance > 0.0 && count++ % stride == 0) columns.push_back(share / std::sqrt(luminance) * seen);
+            if (luminance > 0.0 && count++ % stride == 0) columns.emplace_back(share / std::sqrt(luminance) * seen);
         };
         add(power);
         for (const VectorXd& r : reflectances) add(power.cwiseProduct(r));
