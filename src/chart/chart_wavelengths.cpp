@@ -64,12 +64,13 @@ Spread relative_rms(const WavelengthSampler& sampler, const Light& light, const 
     return spread_of(errors);
 }
 
-/// A number of estimates, so that the clock sees them.
+constexpr int kEstimatesOfWork = 64;
+
 template <int N>
 Work timed_estimates(const WavelengthSampler& sampler, const Light& light) {
     return [sampler, light] {
         Pcg32 random(1);
-        for (int i = 0; i < 64; ++i) {
+        for (int i = 0; i < kEstimatesOfWork; ++i) {
             keep(estimate(light, sample_wavelengths<N>(sampler, [&] { return random.next_float(); })));
         }
     };
@@ -98,13 +99,8 @@ ChartPanel measured(const Light& light, const ChartOptions& options) {
     });
 
     const Work baseline = timed_estimates<1>(prepare(HeroVisible{}, importance), light);
-    const std::vector<RelativeTime> times =
-        times_relative_to(baseline, works, {.rounds = quick ? 3 : 9, .least_s = quick ? 2e-4 : 2e-3});
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        panel.points[i].x = times[i].ratio;
-        panel.points[i].details.emplace_back("ns", 1e9 / 64.0 * times[i].seconds);
-    }
-    mark_front(panel);
+    set_times(panel, times_relative_to(baseline, works, timing_options(options)),
+              {.name = "ns", .factor = 1e9 / kEstimatesOfWork});
     return panel;
 }
 

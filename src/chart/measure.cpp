@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <ctime>
+#include <stdexcept>
 
 namespace emulsion {
 
@@ -60,6 +61,23 @@ std::vector<RelativeTime> times_relative_to(const Work& baseline, std::span<cons
         times.push_back({spread_of(ratios[i]), spread_of(seconds[i]).median});
     }
     return times;
+}
+
+TimingOptions timing_options(const ChartOptions& options) {
+    if (options.effort == ChartEffort::quick) return {.rounds = 3, .least_s = 2e-4};
+    return {.rounds = 9, .least_s = 5e-3};
+}
+
+void set_times(ChartPanel& panel, std::span<const RelativeTime> times, const TimeDetail& detail) {
+    if (panel.points.size() != times.size()) throw std::invalid_argument("chart: expected as many times as points");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        ChartPoint& point = panel.points[i];
+        point.x = times[i].ratio;
+        const double number =
+            detail.kind == TimeDetail::Kind::time ? times[i].seconds * detail.factor : detail.factor / times[i].seconds;
+        point.details.emplace_back(detail.name, number);
+    }
+    mark_front(panel);
 }
 
 double thread_seconds(const Work& work) {

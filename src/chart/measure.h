@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "chart/chart.h"
+#include "chart/charts.h"
 
 namespace emulsion {
 
@@ -31,6 +33,21 @@ struct RelativeTime {
 /// One for each work, in their order.
 [[nodiscard]] std::vector<RelativeTime> times_relative_to(const Work& baseline, std::span<const Work> works,
                                                           const TimingOptions& options);
+
+/// What a chart's effort asks for.
+[[nodiscard]] TimingOptions timing_options(const ChartOptions& options);
+
+/// How a time is told among a point's details: as a time, seconds times `factor`, or as a rate, `factor` over seconds.
+struct TimeDetail {
+    enum class Kind { time, rate };
+    std::string name;  ///< "ns", "Mpix/s"
+    double factor = 1.0;
+    Kind kind = Kind::time;
+};
+
+/// Gives each point of a panel its time, in their order, and marks the front.
+/// \throws std::invalid_argument unless there are as many.
+void set_times(ChartPanel& panel, std::span<const RelativeTime> times, const TimeDetail& detail);
 
 /// Processor time that one call takes in this thread.
 [[nodiscard]] double thread_seconds(const Work& work);
