@@ -19,7 +19,7 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kPixelsPerDegree = 41.0;  // a display of 100 dots an inch at 60 cm
+constexpr double kPixelsPerDegree = 67.0;  // 3840x2160 pixels on 27 inches at 60 cm
 
 /// Smooth: ramps and waves, so that what a quantizer does to it is seen.
 Image<float> smooth_picture(int side) {
@@ -78,7 +78,7 @@ Chart measure_dither_chart(const ChartOptions& options) {
                 .title = "Dithers, and what is seen of their error",
                 .note = fmt::format("{0}x{0} pixels of one channel, one thread. Error: codes minus encoded values, RMS "
                                     "behind the contrast sensitivity of Mannos & Sakrison (low-pass below its peak) at "
-                                    "{1} pixels a degree: a display of 100 dots an inch at 60 cm.",
+                                    "{1} pixels a degree: 3840x2160 on 27 inches at 60 cm.",
                                     side, kPixelsPerDegree)};
     for (const int bits : {1, 4}) chart.panels.push_back(measured(bits, side, options));
     return chart;

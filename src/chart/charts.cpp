@@ -12,10 +12,14 @@ namespace emulsion {
 namespace {
 
 constexpr std::array kKinds = {
+    ChartKind{"models", "transport models on scenes: time and CIEDE2000, at equal samples and in equal time",
+              ChartScenes::needed, measure_models_chart},
     ChartKind{"wavelengths", "wavelength strategies by number: time and error of one estimate, by light",
               ChartScenes::none, measure_wavelengths_chart},
     ChartKind{"uplift", "reflectances for RGB colours: time, round trip, and drift under other lights",
               ChartScenes::none, measure_uplift_chart},
+    ChartKind{"filters", "reconstruction filters, splatted and importance-sampled: time, aliasing, blur and noise",
+              ChartScenes::none, measure_filters_chart},
     ChartKind{"accumulation", "sums of a pixel: time of an addition, error by the number of samples", ChartScenes::none,
               measure_accumulation_chart},
     ChartKind{"tonemap", "tone mapping operators: time, and error against their twins", ChartScenes::none,
@@ -24,6 +28,8 @@ constexpr std::array kKinds = {
               measure_transfer_chart},
     ChartKind{"dither", "dithers: time, and the error that is seen", ChartScenes::none, measure_dither_chart},
     ChartKind{"exr", "compressions of OpenEXR: time, size and loss", ChartScenes::none, measure_exr_chart},
+    ChartKind{"scaling", "time, memory and error by pixels, samples, triangles and threads", ChartScenes::none,
+              measure_scaling_chart},
 };
 
 }  // namespace

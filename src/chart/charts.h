@@ -37,12 +37,15 @@ struct ChartKind {
 /// What reading of scenes throws.
 [[nodiscard]] Chart measure_chart(std::string_view name, const ChartOptions& options);
 
+[[nodiscard]] Chart measure_models_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_wavelengths_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_uplift_chart(const ChartOptions& options);
+[[nodiscard]] Chart measure_filters_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_accumulation_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_tonemap_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_transfer_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_dither_chart(const ChartOptions& options);
 [[nodiscard]] Chart measure_exr_chart(const ChartOptions& options);
+[[nodiscard]] Chart measure_scaling_chart(const ChartOptions& options);
 
 }  // namespace emulsion
