@@ -188,7 +188,7 @@ class ScriptWriter {
             layout.frame.right / w);
         add("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", 1.0 - layout.frame.top / h,
             1.0 - layout.frame.bottom / h);
-        add("set border 3 lc rgb '#555555'\nset grid lc rgb '#dddddd'\nunset key\nset bars 0\n");
+        add("set border 3 lc rgb '#555555'\nunset key\nset bars 0\n");
         add("set title {} offset 0,-0.4\n", in_quotes(panel.title));
         write_axis('x', panel.x, layout.x);
         write_axis('y', panel.y, layout.y);
