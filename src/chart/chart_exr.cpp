@@ -67,11 +67,14 @@ Chart measure_exr_chart(const ChartOptions& options) {
                 .note = fmt::format("{}x{} pixels of linear sRGB with some noise, as 32-bit floats and 16-bit halves. "
                                     "Time of the processor, one thread, without waiting for the disk. Error: mean "
                                     "CIEDE2000 of what is read, white at 1/0.18 of the "
-                                    "log-average luminance; 0 is drawn at 1e-6.",
+                                    "log-average luminance; less than 1e-6 is drawn there.",
                                     side, side)};
     const ChartAxis time = {.label = "time of writing / of float without compression"};
     chart.panels = {{.title = "Size", .x = time, .y = {.label = "size", .unit = "bytes a pixel"}},
-                    {.title = "Loss", .x = time, .y = {.label = "CIEDE2000", .least_drawn = 1e-6}}};
+                    {.title = "Loss", .x = time, .y = {.label = "CIEDE2000", .least_drawn = 1e-6}},
+                    {.title = "Size and loss",
+                     .x = {.label = "size", .unit = "bytes a pixel"},
+                     .y = {.label = "CIEDE2000", .least_drawn = 1e-6}}};
     const Folder folder;
     std::vector<Work> works;
     for (const PixelType type : {PixelType::float32, PixelType::half}) {
@@ -87,6 +90,8 @@ Chart measure_exr_chart(const ChartOptions& options) {
                 {.series = series, .label = name, .y = exactly(bytes), .details = {{"CIEDE2000", error}}});
             chart.panels[1].points.push_back(
                 {.series = series, .label = name, .y = exactly(error), .details = {{"bytes a pixel", bytes}}});
+            chart.panels[2].points.push_back(
+                {.series = series, .label = name, .x = exactly(bytes), .y = exactly(error)});
             works.push_back(write);
         });
     }
@@ -95,9 +100,9 @@ Chart measure_exr_chart(const ChartOptions& options) {
     const std::vector<RelativeTime> times =
         times_relative_to(baseline, works, {.rounds = quick ? 1 : 5, .least_s = 1e-3});
     // A pixel as it is in memory: three floats
-    for (ChartPanel& panel : chart.panels) {
-        set_times(panel, times, {"MB/s", 1e-6 * sizeof(XYZ) * pixels, TimeDetail::Kind::rate});
-    }
+    const TimeDetail speed = {"MB/s", 1e-6 * sizeof(XYZ) * pixels, TimeDetail::Kind::rate};
+    for (ChartPanel* panel : {&chart.panels[0], &chart.panels[1]}) set_times(*panel, times, speed);
+    mark_front(chart.panels[2]);
     return chart;
 }
 
