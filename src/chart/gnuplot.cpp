@@ -93,6 +93,12 @@ int run(const std::string& program, const Streams& streams) {
     return state;
 }
 
+void check_success(const std::string& program, int state, const Descriptor& errors) {
+    if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return;
+    const std::string words = read_whole(errors.number());
+    throw std::runtime_error(fmt::format("{} failed: {}", program, words.empty() ? "it does not say why" : words));
+}
+
 }  // namespace
 
 ChartFormat chart_format(const std::filesystem::path& name) {
@@ -100,6 +106,11 @@ ChartFormat chart_format(const std::filesystem::path& name) {
     if (ending == name_key(".svg")) return ChartFormat::svg;
     if (ending == name_key(".png")) return ChartFormat::png;
     throw std::invalid_argument("chart: found \"" + name.string() + "\", expected a name ending in .svg or .png");
+}
+
+void check_gnuplot(const std::string& program) {
+    const Descriptor input(memory_file("script")), output(memory_file("output")), errors(memory_file("errors"));
+    check_success(program, run(program, {input.number(), output.number(), errors.number()}), errors);
 }
 
 void draw_chart(const Chart& chart, const std::filesystem::path& file, const std::string& program) {
@@ -110,11 +121,10 @@ void draw_chart(const Chart& chart, const std::filesystem::path& file, const std
     const Descriptor input(memory_file("script")), errors(memory_file("errors"));
     write_whole(input.number(), script);
     const int state = run(program, {input.number(), output.number(), errors.number()});
-    const std::string words = read_whole(errors.number());
-    if (!WIFEXITED(state) || WEXITSTATUS(state) != 0) {
-        throw std::runtime_error(fmt::format("{} failed: {}", program, words.empty() ? "it does not say why" : words));
+    check_success(program, state, errors);
+    if (::lseek(output.number(), 0, SEEK_END) == 0) {
+        throw IoError(file, program + " drew nothing: " + read_whole(errors.number()));
     }
-    if (::lseek(output.number(), 0, SEEK_END) == 0) throw IoError(file, program + " drew nothing: " + words);
     drawn.commit();
 }
 

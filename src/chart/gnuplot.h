@@ -22,6 +22,10 @@ enum class ChartFormat { svg, png };
 /// \throws std::invalid_argument as validate(Chart)
 [[nodiscard]] std::string gnuplot_script(const Chart& chart, ChartFormat format);
 
+/// Finds out whether the program is there: for saying so before minutes of measuring, not after.
+/// \throws std::runtime_error as draw_chart() does.
+void check_gnuplot(const std::string& program = "gnuplot");
+
 /// Draws a chart. The file appears whole or not at all.
 /// \param program to run, looked up in PATH
 /// \throws std::runtime_error if there is no such program, naming Debian's package; and if it fails, with its words.

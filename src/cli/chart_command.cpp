@@ -112,6 +112,7 @@ int ChartCommand::run() const {
     for (const std::filesystem::path& path : {options.drawing, options.csv}) {
         if (!path.empty()) check_writable(path);
     }
+    if (!options.drawing.empty()) check_gnuplot();
     const Chart chart = options.from.empty() ? measure_chart(options.name, options.measuring)
                                              : parse_chart_csv(read_text_file(options.from), options.from);
     if (!options.csv.empty()) write_text_file(options.csv, to_csv(chart));

@@ -59,6 +59,9 @@ TEST(Gnuplot, NamesThePackageIfItIsMissing) {
     EXPECT_THAT(
         [&] { draw_chart(example(), folder.path() / "a.svg", "no-such-gnuplot"); },
         ThrowsMessage<std::runtime_error>("no-such-gnuplot: not found in PATH; Debian's package gnuplot-nox has it"));
+    EXPECT_THAT([&] { check_gnuplot("no-such-gnuplot"); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("Debian's package gnuplot-nox")));
+    EXPECT_NO_THROW(check_gnuplot());
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
