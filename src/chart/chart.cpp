@@ -99,6 +99,11 @@ void validate(const Chart& chart) {
         if (panel.points.empty()) {
             throw std::invalid_argument("chart " + chart.name + ": panel \"" + panel.title + "\" has no points");
         }
+        const auto same = std::count_if(chart.panels.begin(), chart.panels.end(),
+                                        [&](const ChartPanel& other) { return other.title == panel.title; });
+        if (same > 1) {
+            throw std::invalid_argument("chart " + chart.name + ": two panels have the title \"" + panel.title + "\"");
+        }
         for (const ChartPoint& point : panel.points) {
             const std::string what = point.series + " " + point.label;
             validate(chart.name, panel.x, point.x, what);

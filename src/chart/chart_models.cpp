@@ -69,10 +69,17 @@ std::string label_of(const TransportModel& model) {
     return label;
 }
 
+/// Without folder and ending, unless another scene has the same name.
+std::string name_of(const std::filesystem::path& scene, const std::vector<std::filesystem::path>& scenes) {
+    const auto same = std::count_if(scenes.begin(), scenes.end(),
+                                    [&](const std::filesystem::path& other) { return other.stem() == scene.stem(); });
+    return same > 1 ? scene.string() : scene.stem().string();
+}
+
 class ModelsOfScene {
   public:
-    ModelsOfScene(const std::filesystem::path& file, const ChartOptions& options)
-        : name_(file.stem().string()),
+    ModelsOfScene(const std::filesystem::path& file, std::string name, const ChartOptions& options)
+        : name_(std::move(name)),
           threads_(options.threads),
           sizes_(sizes_of(options)),
           models_(models(options)),
@@ -196,7 +203,8 @@ Chart measure_models_chart(const ChartOptions& options) {
                                     "together: more samples take away the first alone.",
                                     sizes.width_px, 2 * sizes.reference_samples, sizes.rounds)};
     for (const std::filesystem::path& scene : options.scenes) {
-        for (ChartPanel& panel : ModelsOfScene(scene, options).measure()) chart.panels.push_back(std::move(panel));
+        for (ChartPanel& panel : ModelsOfScene(scene, name_of(scene, options.scenes), options).measure())
+            chart.panels.push_back(std::move(panel));
     }
     return chart;
 }

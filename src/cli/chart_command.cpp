@@ -69,6 +69,11 @@ void check_options(const std::string& name, const std::filesystem::path& drawing
     if (needs_scenes && measuring.scenes.empty()) {
         throw CLI::ValidationError("--scene", fmt::format("missing, and the chart \"{}\" is of scenes", name));
     }
+    for (auto scene = measuring.scenes.begin(); scene != measuring.scenes.end(); ++scene) {
+        if (std::count(scene, measuring.scenes.end(), *scene) > 1) {
+            throw CLI::ValidationError("--scene", fmt::format("{} is given twice", scene->string()));
+        }
+    }
     if (!needs_scenes && !measuring.scenes.empty()) {
         throw CLI::ValidationError("--scene", fmt::format("the chart \"{}\" is not of scenes", name));
     }

@@ -142,6 +142,10 @@ TEST(Chart, RefusesWhatCannotBeDrawn) {
     EXPECT_THAT([&] { validate(chart); }, ThrowsMessage<std::invalid_argument>(HasSubstr("not above 0")));
     chart.panels[1].points[0].y = exactly(std::numeric_limits<double>::quiet_NaN());
     EXPECT_THAT([&] { validate(chart); }, ThrowsMessage<std::invalid_argument>(HasSubstr("not finite")));
+    chart = example();
+    chart.panels[1].title = "one";
+    EXPECT_THAT([&] { validate(chart); }, ThrowsMessage<std::invalid_argument>(HasSubstr("the title \"one\"")));
+    chart = example();
     chart.panels[1].points.clear();
     EXPECT_THAT([&] { validate(chart); }, ThrowsMessage<std::invalid_argument>(HasSubstr("\"two\" has no points")));
 }

@@ -72,6 +72,7 @@ TEST_F(ChartProgram, RefusesBadUsage) {
     refused({"transfer", "-o", "t.pdf"}, "expected a name ending in .svg or .png");
     refused({"models"}, "--scene: missing, and the chart \"models\" is of scenes");
     refused({"transfer", "--scene", "a.pbrt"}, "--scene: the chart \"transfer\" is not of scenes");
+    refused({"models", "--scene", "a.pbrt", "--scene", "a.pbrt"}, "--scene: a.pbrt is given twice");
     refused({"--from", csv}, "--from: needs -o");
     refused({"transfer", "--from", csv, "-o", svg}, "NAME: is of a chart to measure");
     refused({"transfer", "--csv", svg, "-o", svg}, svg);
