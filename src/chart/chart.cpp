@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace emulsion {
 
 namespace {
@@ -23,13 +25,13 @@ double cost(const ChartAxis& axis, const Spread& value) {
 }
 
 void validate(const std::string& chart, const ChartAxis& axis, const Spread& value, const std::string& point) {
+    const auto refuse = [&](const char* reason) {
+        throw std::invalid_argument(fmt::format("chart {}: {} of {} {}", chart, axis.label, point, reason));
+    };
     for (const double number : {value.median, value.p25, value.p75}) {
-        if (!std::isfinite(number)) {
-            throw std::invalid_argument("chart " + chart + ": " + axis.label + " of " + point + " is not finite");
-        }
+        if (!std::isfinite(number)) refuse("is not finite");
         if (axis.scale == AxisScale::log && !(std::max(number, axis.least_drawn) > 0.0)) {
-            throw std::invalid_argument("chart " + chart + ": " + axis.label + " of " + point +
-                                        " is not above 0, and its axis is logarithmic");
+            refuse("is not above 0, and its axis is logarithmic");
         }
     }
 }

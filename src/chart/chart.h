@@ -81,8 +81,8 @@ void mark_front(ChartPanel& panel);
 /// The number of that name; NaN if the point has none.
 [[nodiscard]] double detail(const ChartPoint& point, std::string_view name);
 
-/// \throws std::invalid_argument if there is no panel, two have the same title, a panel has no points, a number is not finite, or one that is
-/// drawn on a logarithmic axis is not above 0.
+/// \throws std::invalid_argument if there is no panel, two have the same title, a panel has no points, a number is not
+/// finite, or one that is drawn on a logarithmic axis is not above 0.
 void validate(const Chart& chart);
 
 }  // namespace emulsion

@@ -56,7 +56,7 @@ std::string details_text(const ChartPoint& point) {
 /// A text taken apart by its commas, quotes and line breaks.
 class CsvReader {
   public:
-    CsvReader(std::string_view text, const std::filesystem::path& name) : text_(text), name_(name) {}
+    CsvReader(std::string_view text, std::filesystem::path name) : text_(text), name_(std::move(name)) {}
 
     [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
 

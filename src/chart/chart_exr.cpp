@@ -101,7 +101,8 @@ Chart measure_exr_chart(const ChartOptions& options) {
         times_relative_to(baseline, works, {.rounds = quick ? 1 : 5, .least_s = 1e-3});
     // A pixel as it is in memory: three floats
     const TimeDetail speed = {"MB/s", 1e-6 * sizeof(XYZ) * pixels, TimeDetail::Kind::rate};
-    for (ChartPanel* panel : {&chart.panels[0], &chart.panels[1]}) set_times(*panel, times, speed);
+    set_times(chart.panels[0], times, speed);
+    set_times(chart.panels[1], times, speed);
     mark_front(chart.panels[2]);
     return chart;
 }

@@ -96,7 +96,7 @@ ZonePlateError zone_plate_error(const Image<XYZ>& picture, const ZonePlate& plat
     double beyond = 0.0, within = 0.0, count_beyond = 0.0, count_within = 0.0;
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
-            const double got = static_cast<double>(picture(x, y).y);
+            const auto got = static_cast<double>(picture(x, y).y);
             if (plate.frequency(x + 0.5, y + 0.5) > 0.5) {
                 beyond += (got - 0.5) * (got - 0.5);
                 ++count_beyond;

@@ -165,10 +165,12 @@ double lay_legend(const Chart& chart, double top, ChartLayout& layout) {
     const double room_px = layout.width_px - 40.0;
     const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(room_px / column_px)));
     for (std::size_t i = 0; i < series.size(); ++i) {
+        const std::size_t row = i / columns;
         layout.legend.push_back({30.0 + column_px * static_cast<double>(i % columns),
-                                 top + kLegendLine_px * (static_cast<double>(i / columns) + 0.5), series[i]});
+                                 top + kLegendLine_px * (static_cast<double>(row) + 0.5), series[i]});
     }
-    return top + kLegendLine_px * static_cast<double>((series.size() + columns - 1) / columns);
+    const std::size_t rows = (series.size() + columns - 1) / columns;
+    return top + kLegendLine_px * static_cast<double>(rows);
 }
 
 }  // namespace
@@ -203,15 +205,16 @@ ChartLayout layout_of(const Chart& chart) {
     const double height = columns == 1 ? kTallPanelHeight_px : kPanelHeight_px;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const ChartPanel& panel = chart.panels[i];
-        const double left = width * static_cast<double>(i % columns),
-                     y = top + height * static_cast<double>(i / columns);
+        const std::size_t row = i / columns;
+        const double left = width * static_cast<double>(i % columns), y = top + height * static_cast<double>(row);
         PanelLayout& of_panel = layout.panels.emplace_back();
         of_panel.frame = {left + kLeft_px, y + kAbove_px, left + width - kRight_px, y + height - kBelow_px};
         of_panel.x = axis_layout(panel.x, panel, &ChartPoint::x);
         of_panel.y = axis_layout(panel.y, panel, &ChartPoint::y);
         place_labels(panel, of_panel);
     }
-    top += height * static_cast<double>((chart.panels.size() + columns - 1) / columns);
+    const std::size_t rows = (chart.panels.size() + columns - 1) / columns;
+    top += height * static_cast<double>(rows);
 
     // What the signs mean
     top = lay_legend(chart, top, layout);

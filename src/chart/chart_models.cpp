@@ -55,6 +55,7 @@ std::vector<TransportModel> models(const ChartOptions& options) {
                                       "spectral:16"};
     if (options.effort == ChartEffort::quick) texts = {"rgb", "rgb-prefiltered", "basis:6", "spectral:4"};
     std::vector<TransportModel> all;
+    all.reserve(texts.size());
     for (const char* text : texts) all.push_back(parse_transport_model(text));
     return all;
 }
@@ -123,7 +124,8 @@ class ModelsOfScene {
         return scene;
     }
 
-    ComparedPicture half(const TransportModel& model, int samples, std::uint64_t seed, int threads) const {
+    [[nodiscard]] ComparedPicture half(const TransportModel& model, int samples, std::uint64_t seed,
+                                       int threads) const {
         const FilmOptions film_options = emulsion::film_options(scene_.scene());
         Film film(film_options);
         RenderProgress progress;

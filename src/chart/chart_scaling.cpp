@@ -86,7 +86,7 @@ ChartPanel by_pixels(const ChartOptions& options) {
     for (const int side : sides) {
         auto scene = std::make_shared<PreparedScene>(scaling_scene(kTriangles, side), options.threads);
         pixels.push_back(static_cast<double>(side) * side);
-        works.push_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
+        works.emplace_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
         const double before = resident_bytes();
         const Film film(film_options(scaling_scene(1, 4 * side)));
         keep(film);
@@ -107,7 +107,8 @@ ChartPanel by_samples(const PreparedScene& scene, const ChartOptions& options) {
     std::vector<int> counts = {4, 8, 16, 32, 64, 128};
     if (options.effort == ChartEffort::quick) counts = {4, 16, 64};
     std::vector<Work> works;
-    for (const int count : counts) works.push_back([&scene, count] { keep(render_picture(scene, count, 1, 1)); });
+    works.reserve(counts.size());
+    for (const int count : counts) works.emplace_back([&scene, count] { keep(render_picture(scene, count, 1, 1)); });
     ChartPanel panel{.title = "Samples:",
                      .x = {.label = "samples a pixel"},
                      .y = {.label = "of the first"},
@@ -159,7 +160,7 @@ ChartPanel by_triangles(const ChartOptions& options) {
         auto scene = std::make_shared<PreparedScene>(scaling_scene(count, kSide_px), options.threads);
         bytes.push_back(exactly(resident_bytes() - before));
         triangles.push_back(static_cast<double>(count));
-        works.push_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
+        works.emplace_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
     }
     for (const std::int64_t count : counts) {
         std::vector<double> seconds;
@@ -205,6 +206,7 @@ ChartPanel by_threads(const ChartOptions& options) {
     }
     const auto spreads = [](const std::vector<std::vector<double>>& times) {
         std::vector<Spread> all;
+        all.reserve(times.size());
         for (const std::vector<double>& of_count : times) all.push_back(spread_of(of_count));
         return all;
     };
