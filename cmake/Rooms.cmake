@@ -35,6 +35,8 @@ function(emulsion_test_room name)
   target_link_libraries(test_${name} PRIVATE emulsion_settings ${room_LINKS} emulsion_test_support GTest::gmock_main)
   target_compile_definitions(test_${name} PRIVATE
     EMULSION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # What is tested is optimised in its own room: the tests themselves are compiled once and run once.
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER -Long/* DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT 600 ENVIRONMENT ${EMULSION_TEST_ENVIRONMENT})
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_FILTER Long/* TEST_LIST test_${name}_long

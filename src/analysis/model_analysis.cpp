@@ -113,23 +113,24 @@ void validate(const ErrorBudget& budget) {
 }
 
 double relative_cost(const TransportModel& model) {
-    if (const auto* basis = std::get_if<BasisModel>(&model))
-        return basis->functions <= 3 ? 1.0 : basis->functions <= 4 ? 1.02 : 1.08;
+    if (const auto* basis = std::get_if<BasisModel>(&model)) {
+        return basis->functions <= 3 ? 1.0 : basis->functions <= 4 ? 1.02 : 1.04;
+    }
     const auto* spectral = std::get_if<SpectralModel>(&model);
     if (spectral == nullptr) return 1.0;
     switch (spectral->wavelengths) {
         case 1:
-            return 1.05;
+            return 0.92;
         case 2:
-            return 1.08;
+            return 1.02;
         case 4:
-            return 1.15;
+            return 1.08;
         case 8:
-            return 1.3;
+            return 1.18;
         case 16:
-            return 1.65;
+            return 1.36;
         default:
-            return 2.4;
+            return 1.78;
     }
 }
 

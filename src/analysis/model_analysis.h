@@ -42,7 +42,7 @@ struct ModelPrediction {
 
 struct ModelAnalysis {
     ErrorBudget budget;
-    std::vector<ModelPrediction> models;  ///< by cost
+    std::vector<ModelPrediction> models;  ///< of channels by cost, then spectral ones by their number of wavelengths
     std::size_t chosen = 0;               ///< the cheapest that is good enough; of spectral models, the least noisy
     double dispersed_share = 0.0;         ///< of the picture's luminance: what passed dispersing glass
     bool disperses = false;               ///< more than kDispersionSeen of it, or of the brightest hundredth of pixels
@@ -52,7 +52,7 @@ struct ModelAnalysis {
 /// What is taken for invisible.
 inline constexpr double kDispersionSeen = 0.005;
 
-/// Time per sample as a multiple of that of rgb, on the Cornell box: docs/path-tracer.md, measured by
+/// Time per sample as a multiple of that of rgb, on the Cornell box: docs/transport-models.md, measured by
 /// bench_pathtracer_transport. Fixed numbers, so that the same scene is always rendered by the same model.
 [[nodiscard]] double relative_cost(const TransportModel& model);
 

@@ -1,7 +1,8 @@
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -107,15 +108,18 @@ void add_scene_options(CLI::App& command, SceneRenderSettings& settings) {
     add_threads_option(command, settings.threads);
 }
 
-void check_settings(const CompareSettings& settings) {
-    for (const auto& [name, input] : {std::pair("A", &settings.a), std::pair("B", &settings.b)}) {
-        const std::string flag = name == std::string("A") ? "--a-again" : "--b-again";
-        const std::filesystem::path file = parse_for(name, [&] { return file_of(input->text); });
-        require_distinct({{name, file}, {flag, input->again}, {"--map", settings.map}});
-        if (!input->again.empty() && parse_scene_with_model(input->text)) {
-            throw CLI::ValidationError(flag, "is for pictures in files: scenes are rendered twice anyway");
-        }
+void check_input(const std::string& name, const std::string& again_flag, const CompareInput& input,
+                 const CompareSettings& settings) {
+    const std::filesystem::path file = parse_for(name, [&] { return file_of(input.text); });
+    require_distinct({{name, file}, {again_flag, input.again}, {"--map", settings.map}});
+    if (!input.again.empty() && parse_scene_with_model(input.text)) {
+        throw CLI::ValidationError(again_flag, "is for pictures in files: scenes are rendered twice anyway");
     }
+}
+
+void check_settings(const CompareSettings& settings) {
+    check_input("A", "--a-again", settings.a, settings);
+    check_input("B", "--b-again", settings.b, settings);
     check_together(settings.pipeline);
     if (settings.map_end && settings.map.empty()) {
         throw CLI::ValidationError("--map-end", "needs --map, whose scale it is for");

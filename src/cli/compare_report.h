@@ -18,7 +18,7 @@ struct CompareReport {
     const Comparison& comparison;
 };
 
-[[nodiscard]] InfoReport report_of(const CompareReport& report);
+[[nodiscard]] InfoReport report_of(const CompareReport& in);
 
 /// What of the limits is exceeded, one sentence each; empty: nothing.
 [[nodiscard]] std::vector<std::string> exceeded(const DifferenceLimits& limits, const Comparison& comparison);

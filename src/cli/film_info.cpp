@@ -112,11 +112,13 @@ void report_run(const FilmMetadata& metadata, InfoReport& report) {
     report.line("filter", metadata.filter);
     report.line("film", metadata.film);
     report.line("seed", std::to_string(metadata.seed));
+    if (!metadata.model.empty()) report.line("model", metadata.model);
     report.line("renderer", metadata.renderer_version);
     report.line("command line", metadata.command_line);
     report.member_text("filter", metadata.filter);
     report.member_text("film", metadata.film);
     report.member("seed", std::to_string(metadata.seed));
+    report.member_text("model", metadata.model);
     report.member_text("renderer", metadata.renderer_version);
     report.member_text("command_line", metadata.command_line);
 }

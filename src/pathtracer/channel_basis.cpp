@@ -138,13 +138,19 @@ MatrixXd factors_of(const std::vector<VectorXd>& reflectances) {
     return factors;
 }
 
+std::vector<double> values_of(const VectorXd& nodes) { return {nodes.begin(), nodes.end()}; }
+
 /// What makes one reflection of `light` right, by the least change of the reflectances: `means` are columns whose
 /// product with a reflectance is its r_k, `xyz` has a row for each channel. Their sums, r_k of white, stay 1.
 void correct_for_one_reflection(MatrixXd& means, const MatrixXd& h, const MatrixXd& xyz, const MatrixXd& observer,
-                                const VectorXd& light) {
+                                const Spectrum& light) {
     // X, Y and Z of the light of each channel.
-    const MatrixXd seen = (h.transpose() * light).asDiagonal() * xyz;
-    const MatrixXd exact = kLuminousEfficacy * light.asDiagonal() * observer;
+    const MatrixXd seen = (h.transpose() * nodes_of(light)).asDiagonal() * xyz;
+    MatrixXd exact(kNodes, 3);
+    for (Eigen::Index m = 0; m < 3; ++m) {
+        const Spectrum curve = DenseSpectrum{static_cast<double>(kMinWavelength_nm), 1.0, values_of(observer.col(m))};
+        exact.col(m) = kLuminousEfficacy * nodes_of(product_of(light, curve));
+    }
     const MatrixXd missing = exact - means * seen;
     // Of a light that is all but monochromatic, not all three can be told apart.
     constexpr double kTooSmall = 1e-3;
@@ -152,8 +158,6 @@ void correct_for_one_reflection(MatrixXd& means, const MatrixXd& h, const Matrix
     svd.setThreshold(kTooSmall);
     means += svd.solve(missing.transpose()).transpose();
 }
-
-std::vector<double> values_of(const VectorXd& nodes) { return {nodes.begin(), nodes.end()}; }
 
 }  // namespace
 
@@ -193,7 +197,7 @@ FixedChannels basis_channels(const SceneSpectra& spectra, int functions) {
     }
     const MatrixXd h = kLuminousEfficacy * root.asDiagonal() * basis;
     MatrixXd means = basis.cwiseAbs2();
-    correct_for_one_reflection(means, h, xyz, observer, nodes_of(sum_of_lights(scene)));
+    correct_for_one_reflection(means, h, xyz, observer, sum_of_lights(scene));
 
     FixedChannels channels;
     for (Eigen::Index k = 0; k < basis.cols(); ++k) {

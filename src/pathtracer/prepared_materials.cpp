@@ -65,7 +65,9 @@ class Preparation {
         prepared.internal_reflectance = spectra_.add_index(internal_reflectance(m));
         prepared.roughness = roughness(m.roughness);
         prepared.thickness = static_cast<float>(m.thickness);
-        prepared.terms = (m.max_depth + 1) / 2;
+        // A thousandth reflection within a coat carries nothing that could be seen, but would be waited for.
+        constexpr int kMostTerms = 1000;
+        prepared.terms = std::min((m.max_depth + 1) / 2, kMostTerms);
         return prepared;
     }
     PreparedMaterial operator()(const MixMaterial& m) {

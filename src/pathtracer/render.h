@@ -20,9 +20,9 @@ struct RenderOptions {
     int samples_per_pixel = 16;
     /// Which of them to render, by index; inside [0, samples_per_pixel), not empty. Unset: all.
     std::optional<SampleRange> samples = std::nullopt;
-    std::uint64_t seed = 0;  ///< another seed, another independent picture
-    TransportModel model;    ///< that the scene is prepared for
-    int threads = 0;         ///< >= 0; 0: one per hardware thread
+    std::uint64_t seed = 0;     ///< another seed, another independent picture
+    TransportModel model = {};  ///< that the scene is prepared for
+    int threads = 0;            ///< >= 0; 0: one per hardware thread
 };
 
 /// \throws std::invalid_argument naming the field, its value and its range.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pathtracer/scene_departures.h"
 #include "pathtracer/scene_materials.h"
 #include "pathtracer/scene_transform.h"
 
@@ -107,7 +108,9 @@ Material SceneBuilder::read_material(const ParameterList& list) {
         if (!slot.first_use) slot.first_use = place;
         return slot.material;
     };
-    return emulsion::read_material(list, {textures_, spectra_, named});
+    Material material = emulsion::read_material(list, {textures_, spectra_, named});
+    if (const std::string departure = departure_of(material); !departure.empty()) warn(list.place, departure);
+    return material;
 }
 
 int SceneBuilder::add_material(Material material) {
@@ -188,7 +191,13 @@ void SceneBuilder::shape(const SourcePlace&, ParameterList list) {
     ShapeFrame frame = state_.frame;
     frame.world_from_object = open_object_ ? frame.world_from_object * translation(-object_origins_.at(*open_object_))
                                            : from_camera_position(frame.world_from_object);
-    for (Geometry& geometry : read_shape(list, frame, {files_, warnings_})) add_shape(std::move(geometry));
+    for (Geometry& geometry : read_shape(list, frame, {files_, warnings_})) {
+        if (state_.area_light && !open_object_) {
+            const std::string departure = departure_of_light(geometry);
+            if (!departure.empty()) warn(list.place, departure);
+        }
+        add_shape(std::move(geometry));
+    }
 }
 
 void SceneBuilder::add_shape(Geometry geometry) {

@@ -18,7 +18,7 @@ struct Pair {
     XYZd a, b, white;
 };
 
-Pair seen(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions) {
+Pair seen(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions) {
     const auto xyz = [&](const Spectrum& reflectance) {
         return xyz_of_reflectance(reflectance, conditions.illuminant, conditions.observer);
     };
@@ -44,31 +44,31 @@ double correction(char component, double a, double b) {
 
 }  // namespace
 
-XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions) {
+XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions) {
     const Pair pair = seen(a, b, conditions);
     return pair.a + -1.0 * pair.b;
 }
 
-double lab_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+double lab_difference(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                       const ColorDifference& method) {
     return difference_of(seen(a, b, conditions), method);
 }
 
-bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+bool are_metameric(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                    const XyzTolerance& tolerance) {
     require_tolerance(tolerance.largest);
     const XYZd xyz = xyz_difference(a, b, conditions);
     return std::max({std::abs(xyz.x), std::abs(xyz.y), std::abs(xyz.z)}) <= tolerance.largest;
 }
 
-bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+bool are_metameric(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                    const LabTolerance& tolerance) {
     require_tolerance(tolerance.largest);
     return lab_difference(a, b, conditions, tolerance.method) <= tolerance.largest;
 }
 
-MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const ViewingConditions& reference,
-                                 const ViewingConditions& test, const ColorDifference& method) {
+MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const LightAndObserver& reference,
+                                 const LightAndObserver& test, const ColorDifference& method) {
     const Pair at_reference = seen(a, b, reference);
     Pair at_test = seen(a, b, test);
     at_test.b.x *= correction('X', at_reference.a.x, at_reference.b.x);

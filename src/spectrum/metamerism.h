@@ -10,18 +10,18 @@
 namespace emulsion {
 
 /// The light that reflectances are seen in, and who sees them.
-struct ViewingConditions {
+struct LightAndObserver {
     Spectrum illuminant;  ///< on any scale
     Observer observer = cie_1931_2deg();
 };
 
 /// XYZ of a minus XYZ of b, with Y = 1 for the perfect reflector.
 /// \throws std::invalid_argument as xyz_of_reflectance does.
-[[nodiscard]] XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions);
+[[nodiscard]] XYZd xyz_difference(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions);
 
 /// The colour difference of two reflectances, `a` the reference, the perfect reflector being white.
 /// \throws std::invalid_argument as xyz_of_reflectance does.
-[[nodiscard]] double lab_difference(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+[[nodiscard]] double lab_difference(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                                     const ColorDifference& method);
 
 /// Largest difference of X, Y or Z that still counts as none.
@@ -37,9 +37,9 @@ struct LabTolerance {
 
 /// Whether two reflectances look the same. So do two that are the same, which a strict reader wouldn't call metamers.
 /// \throws std::invalid_argument if the tolerance is negative or NaN, and as xyz_of_reflectance does.
-[[nodiscard]] bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+[[nodiscard]] bool are_metameric(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                                  const XyzTolerance& tolerance);
-[[nodiscard]] bool are_metameric(const Spectrum& a, const Spectrum& b, const ViewingConditions& conditions,
+[[nodiscard]] bool are_metameric(const Spectrum& a, const Spectrum& b, const LightAndObserver& conditions,
                                  const LabTolerance& tolerance);
 
 struct MetamerismIndex {
@@ -55,7 +55,7 @@ struct MetamerismIndex {
 /// and suggests D65 as reference and A as test illuminant. The multiplicative correction: Brockes, Die Farbe 19 (1970).
 /// \throws std::invalid_argument as xyz_of_reflectance does, and if X, Y or Z of `b` under the reference conditions is
 /// 0 and that of `a` isn't.
-[[nodiscard]] MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const ViewingConditions& reference,
-                                               const ViewingConditions& test, const ColorDifference& method);
+[[nodiscard]] MetamerismIndex metamerism_index(const Spectrum& a, const Spectrum& b, const LightAndObserver& reference,
+                                               const LightAndObserver& test, const ColorDifference& method);
 
 }  // namespace emulsion

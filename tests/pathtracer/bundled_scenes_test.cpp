@@ -97,8 +97,8 @@ std::vector<Spectrum> metameric_paints() {
 TEST(Metamers, MatchUnderD65AndSplitUnderA) {
     const std::vector<Spectrum> paints = metameric_paints();
     ASSERT_EQ(paints.size(), 6u);
-    const ViewingConditions daylight = {*named_spectrum("stdillum-D65")}, tungsten = {*named_spectrum("stdillum-A")};
-    ViewingConditions other_eyes = daylight;
+    const LightAndObserver daylight = {*named_spectrum("stdillum-D65")}, tungsten = {*named_spectrum("stdillum-A")};
+    LightAndObserver other_eyes = daylight;
     other_eyes.observer = cie_1964_10deg();
     for (std::size_t pair = 0; pair < paints.size(); pair += 2) {
         const Spectrum &a = paints[pair], &b = paints[pair + 1];

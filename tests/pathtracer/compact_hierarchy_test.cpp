@@ -54,7 +54,7 @@ std::string scene_text() {
 Image<XYZ> picture_of(const PreparedScene& scene) {
     Film film(film_options(scene.scene()));
     RenderProgress progress;
-    render(scene, {.samples_per_pixel = 8, .seed = 3, .wavelengths = 4, .threads = 1}, film, progress);
+    render(scene, {.samples_per_pixel = 8, .seed = 3, .threads = 1}, film, progress);
     return film.xyz_image();
 }
 
@@ -62,7 +62,7 @@ TEST(CompactHierarchy, GivesTheSamePicture) {
     const std::string text = scene_text();
     const PreparedScene fast(parse(text), 1);
     // The mesh itself and the object's.
-    const PreparedScene compact(parse(text), 1, std::size_t{2} * 2 * kCells * kCells);
+    const PreparedScene compact(parse(text), 1, SpectralModel{}, std::size_t{2} * 2 * kCells * kCells);
     ASSERT_EQ(fast.accelerator().hierarchy(), Hierarchy::fast);
     ASSERT_EQ(compact.accelerator().hierarchy(), Hierarchy::compact);
 
@@ -83,7 +83,7 @@ TEST(CompactHierarchy, GivesTheSamePicture) {
 /// The limit counts the triangles of all meshes, and is itself many.
 TEST(CompactHierarchy, IsForManyTriangles) {
     const std::string text = scene_text();
-    const PreparedScene fast(parse(text), 1, std::size_t{2} * 2 * kCells * kCells + 1);
+    const PreparedScene fast(parse(text), 1, SpectralModel{}, std::size_t{2} * 2 * kCells * kCells + 1);
     EXPECT_EQ(fast.accelerator().hierarchy(), Hierarchy::fast);
 }
 

@@ -221,7 +221,7 @@ TEST(Provenance, TellsTotalsApartWhereTheSamplerDependsOnThem) {
     EXPECT_NE(provenance_of(stratified, few), provenance_of(stratified, many));
     EXPECT_EQ(provenance_of(independent, few), provenance_of(independent, many));
     EXPECT_THAT(provenance_of(stratified, many).sampling,
-                ::testing::StartsWith("stratified:x=4,y=4,jitter=yes seed=0 wavelengths=4 renderer=emulsion-"));
+                ::testing::StartsWith("stratified:x=4,y=4,jitter=yes seed=0 model=spectral:4 renderer=emulsion-"));
 }
 
 /// Of each of 16 independent pictures.

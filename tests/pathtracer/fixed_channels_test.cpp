@@ -69,9 +69,10 @@ TEST(FixedChannels, OneReflectionOfTheScenesLightIsExact) {
             for (const Spectrum& patch : color_checker()) {
                 const XYZd expected = xyz_of_radiance(product_of(light, patch));
                 const XYZd found = xyz_of(channels, reflected(channels, light, {patch}));
-                EXPECT_NEAR(found.x / white, expected.x / white, 1e-6) << to_text(model) << ' ' << name;
-                EXPECT_NEAR(found.y / white, expected.y / white, 1e-6) << to_text(model) << ' ' << name;
-                EXPECT_NEAR(found.z / white, expected.z / white, 1e-6) << to_text(model) << ' ' << name;
+                // Paints are straight lines within a nanometre, and light is kept in single precision.
+                EXPECT_NEAR(found.x / white, expected.x / white, 5e-6) << to_text(model) << ' ' << name;
+                EXPECT_NEAR(found.y / white, expected.y / white, 5e-6) << to_text(model) << ' ' << name;
+                EXPECT_NEAR(found.z / white, expected.z / white, 5e-6) << to_text(model) << ' ' << name;
             }
         }
     }

@@ -14,8 +14,8 @@ declare -A allowed=()
 while IFS='|' read -r _ room _ may _; do
     room=${room//[ \`]/}
     read -ra rooms <<<"${may//[,-]/ }"
-    allowed[${room#src/}]=" ${rooms[*]} "
-done < <(sed -n '/| may include |/,/^$/p' docs/architecture.md | grep '^| `src/')
+    allowed[${room#*/}]=" ${rooms[*]} "
+done < <(sed -n '/| may include |/,/^$/p' docs/architecture.md | grep -E '^\| `(src|tests)/')
 ((${#allowed[@]} > 0)) || complain "docs/architecture.md: no table of folders found"
 
 # The rooms that may include each library's headers. Tests may, too.

@@ -47,6 +47,7 @@ plant src/display/planted.cpp '  #include "film/filter.h"' 'display may include:
 plant src/pathtracer/planted.h '#include"develop/pipeline.h"' 'pathtracer may include: core spectrum film'
 plant src/develop/planted.cpp '#include "pathtracer/scene.h"' 'develop may include:'
 plant tests/tonemap/planted_test.cpp '#include "film/film.h"' 'tonemap may include: core'
+plant tests/stability/planted_test.cpp '#include "capi/emulsion.h"' 'stability may include: core'
 plant bench/core/planted.cpp '#include "spectrum/spectrum.h"' 'core may include:'
 plant src/film/planted.cpp '#include "support/temporary_folder.h"' 'film may include: core spectrum'
 plant bench/support/planted.h '#include "film/film.h"' 'core may include:'

@@ -53,7 +53,7 @@ missing=$(comm -23 "$scratch/used" "$scratch/brought")
 grep -rhoE --include='*.cmake' --include=CMakeLists.txt 'find_package\([A-Za-z0-9]+' "$repository"/{CMakeLists.txt,cmake,tests,bench} |
     sed 's/find_package(//' | sort -u >"$scratch/found"
 declare -A package_of=([Imath]=libimath-dev [OpenEXR]=libopenexr-dev [TBB]=libtbb-dev [PNG]=libpng-dev [fmt]=libfmt-dev [Highway]=libhwy-dev
-    [Lcms2]=liblcms2-dev [CLI11]=libcli11-dev [embree]=libembree-dev [GTest]=libgtest-dev [benchmark]=libbenchmark-dev
+    [Lcms2]=liblcms2-dev [CLI11]=libcli11-dev [embree]=libembree-dev [Eigen3]=libeigen3-dev [GTest]=libgtest-dev [benchmark]=libbenchmark-dev
     [ZLIB]=zlib1g-dev)
 while read -r library; do
     package=${package_of[$library]-}

@@ -24,7 +24,7 @@ using testing::ThrowsMessage;
 
 constexpr const char* kIlluminants = "illuminants_a_d_300_830_5nm";
 
-ViewingConditions under(const char* illuminant) { return {tabulated_spectrum(kIlluminants, illuminant)}; }
+LightAndObserver under(const char* illuminant) { return {tabulated_spectrum(kIlluminants, illuminant)}; }
 
 constexpr double kFirst_nm = 400.0, kStep_nm = 10.0;
 constexpr std::size_t kKnots = 31;
@@ -39,7 +39,7 @@ PiecewiseLinearSpectrum reflectance(const std::vector<double>& value) {
 }
 
 // XYZ of the reflectances that are 1 at one knot and 0 at the others: XYZ of any other is their sum.
-std::vector<XYZd> basis(const ViewingConditions& conditions) {
+std::vector<XYZd> basis(const LightAndObserver& conditions) {
     std::vector<XYZd> xyz;
     for (std::size_t i = 0; i < kKnots; ++i) {
         std::vector<double> value(kKnots, 0.0);
@@ -79,7 +79,7 @@ struct Metamers {
     PiecewiseLinearSpectrum a, b;
 };
 
-Metamers metamers(const ViewingConditions& conditions, std::uint64_t seed) {
+Metamers metamers(const LightAndObserver& conditions, std::uint64_t seed) {
     Pcg32 random(seed);
     const std::vector<double> black = metameric_black(basis(conditions), random);
     std::vector<double> a(kKnots), b(kKnots);
@@ -119,7 +119,7 @@ TEST(Metamers, DriftByEveryColourDifference) {
 
 TEST(Metamers, DriftUnderAnotherObserverToo) {
     const DataTable& table = data_table("cie_1964_10deg_xyz_1nm");
-    ViewingConditions large_field = under("D65");
+    LightAndObserver large_field = under("D65");
     large_field.observer = {"CIE 1964", 360, {}};
     for (std::size_t i = 0; i < table.row_count(); ++i) {
         large_field.observer.value.push_back({table.columns[1][i], table.columns[2][i], table.columns[3][i]});
