@@ -10,6 +10,7 @@
 #include <fcntl.h>
 
 #include "cli/analyze_command.h"
+#include "cli/chart_command.h"
 #include "cli/color_command.h"
 #include "cli/compare_command.h"
 #include "cli/develop_command.h"
@@ -22,7 +23,8 @@
 
 namespace {
 
-using emulsion::cli::AnalyzeCommand, emulsion::cli::ColorCommand, emulsion::cli::CompareCommand;
+using emulsion::cli::AnalyzeCommand, emulsion::cli::ChartCommand, emulsion::cli::ColorCommand,
+    emulsion::cli::CompareCommand;
 using emulsion::cli::DevelopCommand;
 using emulsion::cli::flush_output, emulsion::cli::print_error;
 using emulsion::cli::InfoCommand, emulsion::cli::MergeCommand, emulsion::cli::RenderCommand;
@@ -74,6 +76,7 @@ int run(int argc, char** argv) {
     const InfoCommand info(program);
     const CompareCommand compare(program);
     const AnalyzeCommand analyze(program);
+    const ChartCommand chart(program);
     const ColorCommand color(program);
     try {
         program.parse(argc, argv);
@@ -84,6 +87,7 @@ int run(int argc, char** argv) {
         return kBadUsage;
     }
     if (analyze.chosen()) return analyze.run();
+    if (chart.chosen()) return chart.run();
     if (color.chosen()) return color.run();
     if (compare.chosen()) return compare.run();
     if (info.chosen()) return info.run();

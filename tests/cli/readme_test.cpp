@@ -48,8 +48,9 @@ TEST(Readme, CommandsWriteTheFilesThatTheyName) {
             if (!arguments[i].starts_with("out/")) continue;
             arguments[i] = out.file(arguments[i].substr(4));
             const std::string& flag = arguments[i - 1];
-            if (flag == "-o" || flag == "--png" || flag == "--contact-sheet" || flag == "--map")
+            if (flag == "-o" || flag == "--png" || flag == "--contact-sheet" || flag == "--map" || flag == "--csv") {
                 outputs.push_back(arguments[i]);
+            }
         }
         // As typed, but small; of an option given twice CLI11 would take neither.
         if (arguments[0] == "render" || arguments[0] == "compare") {
