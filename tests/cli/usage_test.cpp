@@ -53,8 +53,9 @@ TEST(Usage, NamesTheOptionWhatWasFoundAndWhatWasExpected) {
 
 TEST(Usage, SaysWhatIsMissingOrTooMuch) {
     expect_refused({}, "found no subcommand, expected render, develop, merge, info, compare, analyze, chart or color");
-    expect_refused({"paint", "x"},
-                   "found the subcommand \"paint\", expected render, develop, merge, info, compare, analyze, chart or color");
+    expect_refused(
+        {"paint", "x"},
+        "found the subcommand \"paint\", expected render, develop, merge, info, compare, analyze, chart or color");
     expect_refused(
         {"color", "paint"},
         "found the subcommand \"paint\", expected convert, spectrum, difference, adapt, encode, decode, matrix "
