@@ -18,7 +18,7 @@ bool PathIntegrator<Transport>::scatter_material(PathT& path, std::uint32_t path
         }
     }
     if constexpr (Transport::kMarksDispersion) {
-        if (materials.disperses(material)) path.throughput[Transport::kChannels - 1] = 0.0f;
+        if (PreparedMaterials::disperses(material)) path.throughput[Transport::kChannels - 1] = 0.0f;
     }
     std::uint64_t seed = 0;
     if (materials.is_estimated(material)) seed = static_cast<std::uint64_t>(path.samples.next_1d_fine() * 0x1p48);

@@ -76,7 +76,7 @@ std::string strategy_text(const WavelengthStrategy& strategy) {
 }
 
 std::string text_of(const SpectralModel& model) {
-    const std::string count = fmt::format("{}:{}", SpectralModel::kName, model.wavelengths);
+    std::string count = fmt::format("{}:{}", SpectralModel::kName, model.wavelengths);
     if (model.strategy == WavelengthStrategy{}) return count;
     return fmt::format("{}:{}", count, strategy_text(model.strategy));
 }

@@ -33,7 +33,7 @@ constexpr std::array kShortNames = {std::pair<std::string_view, std::string_view
 
 /// The key of a name in the table.
 std::string table_key(std::string_view name) {
-    const std::string key = name_key(name);
+    std::string key = name_key(name);
     for (const auto& [short_name, whole_name] : kShortNames) {
         if (key == name_key(short_name)) return name_key(whole_name);
     }
