@@ -247,8 +247,9 @@ std::string reasons(const ModelAnalysis& analysis) {
                                        [](const auto& a, const auto& b) { return a.mean < b.mean; });
     if (best != cheaper_end) second = in_short(*best);
     if (!spectral) {
-        const double cost = relative_cost(SpectralModel{}) / chosen.cost;
-        second += fmt::format("{}{} would cost {:.2f}x", second.empty() ? "" : "; ", to_text(SpectralModel{}), cost);
+        const TransportModel usual = SpectralModel{};
+        second += fmt::format("{}{} would cost {:.2f}x", second.empty() ? "" : "; ", to_text(usual),
+                              relative_cost(usual) / chosen.cost);
     }
     return first + "\n" + second;
 }

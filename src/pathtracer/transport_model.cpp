@@ -77,7 +77,7 @@ std::string strategy_text(const WavelengthStrategy& strategy) {
 
 std::string text_of(const SpectralModel& model) {
     std::string count = fmt::format("{}:{}", SpectralModel::kName, model.wavelengths);
-    if (model.strategy == WavelengthStrategy{}) return count;
+    if (std::holds_alternative<HeroVisible>(model.strategy)) return count;
     return fmt::format("{}:{}", count, strategy_text(model.strategy));
 }
 std::string text_of(const RgbModel& model) { return fmt::format("{}:{}", RgbModel::kName, model.space); }
