@@ -138,17 +138,6 @@ void note_dispersion(const Pilot& pilot, ModelAnalysis& analysis) {
     analysis.disperses = analysis.dispersed_share > kDispersionSeen || percentile_99(shares) > kDispersionSeen;
 }
 
-/// Why a film of this scene can't be made of channels: they know XYZ of one observer alone.
-std::string why_only_spectral(const Scene& scene) {
-    const FilmOptions film = film_options(scene);
-    if (observer(film.sensor.observer).name != cie_1931_2deg().name)
-        return "the film has another observer than CIE 1931";
-    if (film.sensor.camera) return "the film sees as a camera";
-    if (film.sensor.white_balance) return "the film has a white balance";
-    if (film.spectrum) return "the film has spectral buckets";
-    return {};
-}
-
 std::string in_short(const ModelPrediction& p) {
     return fmt::format("{} {:.2g} mean, {:.2g} p99", to_text(p.model), p.mean, p.p99);
 }
@@ -192,7 +181,7 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
 
     ModelAnalysis analysis;
     analysis.budget = budget;
-    analysis.only_spectral = why_only_spectral(scene.scene());
+    analysis.only_spectral = why_not_of_channels(film_options(scene.scene()));
     note_dispersion(pilot, analysis);
     const auto add = [&](const TransportModel& model) -> ModelPrediction& {
         ModelPrediction& prediction = analysis.models.emplace_back();

@@ -6,8 +6,8 @@
 // reflections. Reflection by R is then the matrix <v_i, R v_j>, which Peercy's method multiplies out. A path tracer
 // multiplies at every vertex, and we want it to be K numbers times K numbers: so among the orthonormal bases of the
 // space, the one is taken in which these matrices are closest to diagonal, and the rest of them is left out. Its
-// functions are narrow, each somewhere else in the spectrum; r_k is the mean of R weighted by v_k^2, and so lies in
-// [0, 1] where R does.
+// functions are narrow, each somewhere else in the spectrum; r_k is the mean of R weighted by v_k^2, changed by the
+// least that makes one reflection of the scene's light exact. Without that change it lies in [0, 1] where R does.
 //
 // Sources: Peercy, "Linear Color Representations for Full Spectral Rendering", SIGGRAPH 1993 (projection on main
 // components, section 3); Drew & Finlayson, "Multispectral Processing Without Spectra", JOSA A 20(7), 2003 (a sharpened

@@ -187,15 +187,8 @@ void check_model(const PreparedScene& scene, const TransportModel& model, const 
         throw std::invalid_argument("model: the scene is not prepared for " + to_text(model));
     }
     if (std::holds_alternative<SpectralModel>(model)) return;
-    const SensorOptions& sensor = film.sensor;
-    const auto refuse = [&model](const std::string& what) {
-        throw std::invalid_argument("model " + to_text(model) +
-                                    ": knows XYZ of the CIE 1931 observer alone, but the film " + what);
-    };
-    if (observer(sensor.observer).name != cie_1931_2deg().name) refuse("is of observer " + sensor.observer);
-    if (sensor.camera) refuse("sees as a camera");
-    if (sensor.white_balance) refuse("has a white balance");
-    if (film.spectrum) refuse("has spectral buckets");
+    const std::string why = why_not_of_channels(film);
+    if (!why.empty()) throw std::invalid_argument("model " + to_text(model) + ": " + why);
 }
 
 /// x0, x1, y0, y1 as parts of a frame, in whole pixels: as pbrt-v4 rounds them.
@@ -221,6 +214,15 @@ void validate(const RenderOptions& options) {
     }
     validate(options.model);
     if (options.threads < 0) refuse("threads", options.threads, "at least 0");
+}
+
+std::string why_not_of_channels(const FilmOptions& film) {
+    const SensorOptions& sensor = film.sensor;
+    if (observer(sensor.observer).name != cie_1931_2deg().name) return "the film is of observer " + sensor.observer;
+    if (sensor.camera) return "the film sees as a camera";
+    if (sensor.white_balance) return "the film has a white balance";
+    if (film.spectrum) return "the film has spectral buckets";
+    return {};
 }
 
 SampleRange samples_of(const RenderOptions& options) noexcept {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "film/film.h"
 #include "film/film_provenance.h"
@@ -27,6 +28,10 @@ struct RenderOptions {
 
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const RenderOptions& options);
+
+/// Why models of fixed channels, which know nothing but CIE 1931 XYZ, can't fill this film; empty: they can.
+/// \throws std::invalid_argument for an observer that doesn't exist.
+[[nodiscard]] std::string why_not_of_channels(const FilmOptions& film);
 
 /// The samples that these options ask for.
 [[nodiscard]] SampleRange samples_of(const RenderOptions& options) noexcept;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "spectrum/chromatic_adaptation.h"
 #include "spectrum/chromaticity.h"
 
 namespace emulsion {
@@ -35,12 +34,6 @@ std::optional<ColorSpace> color_space_with_primaries_of(const RgbSpace& space) {
         if (same) return known;
     }
     return std::nullopt;
-}
-
-Matrix3 srgb_from(ColorSpace space) {
-    const RgbSpace& from = rgb_space_of(space);
-    const RgbSpace& srgb = rgb_space_of(ColorSpace::srgb);
-    return rgb_from_rgb(from, srgb, adaptation_matrix(BradfordAdaptation{}, xyz_of(from.white), xyz_of(srgb.white)));
 }
 
 }  // namespace emulsion

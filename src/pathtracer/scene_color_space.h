@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/matrix3.h"
 #include "spectrum/rgb_space.h"
 
 namespace emulsion {
@@ -18,8 +17,5 @@ inline constexpr std::size_t kColorSpaces = 4;
 /// The space of these primaries and white, each coordinate within a thousandth of itself, as pbrt-v4 looks them up;
 /// unset if it is none of them.
 [[nodiscard]] std::optional<ColorSpace> color_space_with_primaries_of(const RgbSpace& space);
-
-/// From linear RGB of the space to linear sRGB, white to white: reflectances of 1 stay so.
-[[nodiscard]] Matrix3 srgb_from(ColorSpace space);
 
 }  // namespace emulsion

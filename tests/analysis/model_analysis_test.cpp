@@ -127,7 +127,7 @@ TEST(ModelAnalysis, FilmsOfOtherEyesTakeWavelengths) {
     PreparedScene scene(film, 1);
     const ModelAnalysis analysis = analyse_models(scene, {}, {.threads = 1});
     EXPECT_TRUE(std::holds_alternative<SpectralModel>(analysis.models[analysis.chosen].model));
-    EXPECT_THAT(reasons(analysis), HasSubstr("another observer"));
+    EXPECT_THAT(reasons(analysis), HasSubstr("of observer cie_1964_10deg"));
 }
 
 TEST(ModelAnalysis, ScenesWithoutLightAreBlackInEveryModel) {
