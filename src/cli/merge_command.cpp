@@ -119,10 +119,9 @@ int MergeCommand::run(const std::string& command_line) const {
         if (!options.quiet) report_gamut(developed, options.pipeline);
     }
     if (options.quiet) return kDone;
-    const SamplesTaken taken = samples_taken(state.provenance);
     print_output(fmt::format("{} film{}, {}x{} pixels, {}: {} of each pixel\nwrote {}\n", options.films.size(),
                              options.films.size() == 1 ? "" : "s", picture.width(), picture.height(),
-                             samples_text(state.provenance), count_text(taken.least, taken.most),
+                             samples_text(state.provenance), count_text(state.provenance, state.contents),
                              options.output.string()));
     if (!options.png.empty()) print_output(fmt::format("wrote {}\n", options.png.string()));
     return kDone;

@@ -10,6 +10,15 @@
 
 namespace emulsion::cli {
 
+namespace {
+
+std::string is_positive(const std::string& text, std::string_view expected) {
+    const auto value = number_of<double>(text);
+    return value && std::isfinite(*value) && *value > 0.0 ? std::string{} : found_expected(text, expected);
+}
+
+}  // namespace
+
 std::string found_expected(std::string_view text, std::string_view expected) {
     return fmt::format("found \"{}\", expected {}", text, expected);
 }
@@ -24,10 +33,10 @@ OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most) {
     };
 }
 
-std::string is_seconds(const std::string& text) {
-    const auto seconds = number_of<double>(text);
-    if (seconds && std::isfinite(*seconds) && *seconds > 0.0) return {};
-    return found_expected(text, "a number of seconds above 0");
+std::string is_seconds(const std::string& text) { return is_positive(text, "a number of seconds above 0"); }
+
+std::string is_color_difference(const std::string& text) {
+    return is_positive(text, "a colour difference in CIEDE2000, above 0");
 }
 
 std::string ends_in_exr(const std::string& name) {

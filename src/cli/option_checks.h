@@ -21,8 +21,9 @@ using OptionCheck = std::function<std::string(const std::string&)>;
 /// Digits alone, of a number in [least, most].
 [[nodiscard]] OptionCheck whole_number_check(std::uint64_t least, std::uint64_t most);
 
-/// A finite number above 0.
+// A finite number above 0, of one unit or the other.
 [[nodiscard]] std::string is_seconds(const std::string& text);
+[[nodiscard]] std::string is_color_difference(const std::string& text);
 
 /// A name ending in .exr.
 [[nodiscard]] std::string ends_in_exr(const std::string& name);

@@ -76,14 +76,13 @@ void ProgressDisplay::run(ProgressStyle style, const RenderProgress& progress, s
     while (!ended) {
         ended = wake_.wait_for(lock, interval, [this] { return ended_; });
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        const std::int64_t done = progress.samples_done.load();
+        const std::int64_t done = progress.samples_done.load(), total = total_samples - progress.samples_saved.load();
         if (style == ProgressStyle::bar) {
             // "\033[K" clears what a longer line before has left.
-            print_progress(fmt::format("\r{}\033[K{}",
-                                       progress_text(done, total_samples, elapsed.count(), terminal_columns()),
+            print_progress(fmt::format("\r{}\033[K{}", progress_text(done, total, elapsed.count(), terminal_columns()),
                                        ended ? "\n" : ""));
         } else {
-            print_progress(progress_text(done, total_samples, elapsed.count(), 0) + "\n");
+            print_progress(progress_text(done, total, elapsed.count(), 0) + "\n");
         }
     }
 }

@@ -20,8 +20,8 @@ enum class ProgressStyle { none, bar, lines };
 /// and no end to the line.
 [[nodiscard]] std::string progress_text(std::int64_t done, std::int64_t total, double elapsed_s, int columns);
 
-/// Shows on standard error how far a render has come: a bar that moves, or a line every few seconds. Ends when
-/// destroyed.
+/// Shows on standard error how far a render has come: a bar that moves, or a line every few seconds. Of the samples in
+/// all, those that the render finds to be needless are taken off. Ends when destroyed.
 class ProgressDisplay {
   public:
     ProgressDisplay(ProgressStyle style, const RenderProgress& progress, std::int64_t total_samples);

@@ -92,6 +92,12 @@ std::optional<FilmState> resumed_state(const RenderSettings& settings, const Ren
     return state;
 }
 
+/// How many samples of each pixel the film has.
+std::string taken_text(const FilmInProgress& film) {
+    const FilmProvenance provenance = film.provenance();
+    return film.film().with_contents([&](const auto& contents) { return count_text(provenance, contents); });
+}
+
 /// render(), shown as it goes, and kept in a state file from time to time; warns if it was stopped early.
 /// \throws std::runtime_error if it was stopped before there was anything to write.
 void render_with_progress(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film,
@@ -107,9 +113,16 @@ void render_with_progress(const PreparedScene& scene, const RenderOptions& optio
     if (film.film().max_samples_per_pixel() == 0 && film.film().dropped().count() == 0) {
         throw std::runtime_error("stopped before the first samples; nothing was written");
     }
-    const SamplesTaken taken = samples_taken(film.provenance());
-    print_warning(fmt::format("stopped early, at {} of {} samples per pixel; writing what there is",
-                              count_text(taken.least, taken.most), samples_of(options).size()));
+    print_warning(fmt::format("stopped early, at {} of {} samples per pixel; writing what there is", taken_text(film),
+                              samples_of(options).size()));
+}
+
+/// What --until has come to.
+std::string until_text(const FilmInProgress& film, double target, int most_samples) {
+    const std::size_t tiles = tile_count(film.film().sample_bounds(), kTileSize_px), stopped = film.tiles_left_out();
+    std::string text = fmt::format("standard error of colour at most {:g} in {} of {} tiles", target, stopped, tiles);
+    if (stopped < tiles) text += fmt::format("; the others would need more than {} samples", most_samples);
+    return text + "\n";
 }
 
 }  // namespace
@@ -176,9 +189,9 @@ int RenderCommand::run(const std::string& command_line) const {
         if (!settings.quiet) report_gamut(developed, settings.pipeline);
     }
     if (!settings.quiet) {
-        const SamplesTaken taken = samples_taken(in_progress.provenance());
         print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),
-                                 count_text(taken.least, taken.most), render_s));
+                                 taken_text(in_progress), render_s));
+        if (options.until) print_output(until_text(in_progress, *options.until, options.samples_per_pixel));
         for (const auto& file : {files.output, files.png, files.state}) {
             if (!file.empty()) print_output(fmt::format("wrote {}\n", file.string()));
         }

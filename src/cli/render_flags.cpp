@@ -64,6 +64,13 @@ void add_sample_options(CLI::App& command, RenderSettings& settings) {
     command.add_option("--seed", settings.seed, "Seed of the random numbers, >= 0 [default: the scene's, or 0]")
         ->check(whole_number_check(0, std::numeric_limits<std::uint64_t>::max()))
         ->option_text("N");
+    command
+        .add_option("--until", settings.until,
+                    "Stop each tile of 16x16 pixels when the standard error of its colour is at most DE, CIEDE2000, "
+                    "and give none more than --spp [default: all samples everywhere]; unbiased: what decides is an "
+                    "eighth more paths, a quarter at first, which are not in the picture")
+        ->check(is_color_difference)
+        ->option_text("DE");
     add_parsed(
         command, "--model", settings.model,
         [](const std::string& text) { return parse_named_option("--model", [&] { return parse_model_choice(text); }); },
@@ -127,6 +134,16 @@ void add_state_options(CLI::App& command, RenderSettings& settings) {
 void check_settings(const RenderSettings& settings) {
     require_distinct({{"SCENE", settings.scene}, {"--output", settings.output}, {"--png", settings.png}});
     if (!settings.png.empty()) check_for_png(settings.pipeline);
+    if (settings.until && settings.shard) {
+        throw CLI::ValidationError("--until",
+                                   "found --shard as well, expected one of the two: tiles that stop on their "
+                                   "own have no samples to share out");
+    }
+    if (settings.until && settings.filter_use == FilterUse::splatted) {
+        throw CLI::ValidationError("--until",
+                                   "found --splat as well, expected one of the two: where samples are "
+                                   "spread, those of the tile that has more outweigh its neighbour's");
+    }
     if (settings.shard && !is_state_name(settings.output)) {
         throw CLI::ValidationError("--shard", "found the output \"" + settings.output.string() +
                                                   "\", expected --output NAME.film.exr: shares are merged as states");

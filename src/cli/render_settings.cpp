@@ -64,6 +64,7 @@ RenderOptions render_options(const RenderSettings& settings, const Scene& scene)
     options.seed = settings.seed.value_or(static_cast<std::uint64_t>(scene.sampler_seed));
     if (const auto* model = std::get_if<TransportModel>(&settings.model)) options.model = *model;
     options.threads = settings.threads;
+    options.until = settings.until;
     if (!settings.shard) return options;
     options.samples = samples_of(*settings.shard, options.samples_per_pixel);
     if (options.samples->size() > 0) return options;

@@ -51,6 +51,7 @@ struct RenderSettings {
 
     ModelChoice model;
     int threads = 0;
+    std::optional<double> until;  ///< standard error of colour, CIEDE2000, > 0
     std::optional<Shard> shard;
     std::optional<double> checkpoint_s;  ///< > 0
     bool resume = false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "film/film_contents.h"
 #include "film/film_provenance.h"
 
 namespace emulsion::cli {
@@ -13,5 +14,7 @@ namespace emulsion::cli {
 
 /// "8", or "8 to 16".
 [[nodiscard]] std::string count_text(std::uint64_t least, std::uint64_t most);
+/// The same of samples taken of each pixel: by the account, or, where it doesn't know, by the film's sums.
+[[nodiscard]] std::string count_text(const FilmProvenance& provenance, const FilmContents<ExactSums>& contents);
 
 }  // namespace emulsion::cli

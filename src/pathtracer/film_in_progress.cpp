@@ -1,7 +1,6 @@
 #include "pathtracer/film_in_progress.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,8 +9,7 @@ namespace emulsion {
 
 namespace {
 
-/// Neither shows in the picture: the film's sums are exact.
-constexpr int kTileSize_px = 16;
+/// Doesn't show in the picture, either.
 constexpr std::uint64_t kSamplesPerRound = 16;
 
 std::size_t tiles_along(int size_px, int tile_px) noexcept {
@@ -73,19 +71,46 @@ std::optional<RenderRound> FilmInProgress::next_round(SampleRange wanted) const 
     const std::vector<SampleRange> missing = provenance_.samples.missing(wanted);
     if (missing.empty()) return std::nullopt;
     const SampleRange& first = missing.front();
-    const std::uint64_t size = std::clamp(provenance_.samples.count(), std::uint64_t{1}, kSamplesPerRound);
-    round = {{first.begin, std::min(first.begin + size, first.end)}, kTileSize_px, {}};
-    round.tiles.resize(tile_count(film_.sample_bounds(), round.tile_px));
-    std::iota(round.tiles.begin(), round.tiles.end(), std::size_t{0});
+    std::uint64_t end = first.begin + std::clamp(provenance_.samples.count(), std::uint64_t{1}, kSamplesPerRound);
+    if (end - end % kSamplesPerRound > first.begin) end -= end % kSamplesPerRound;
+    round = {{first.begin, std::min(end, first.end)}, kTileSize_px, tiles_of_rounds()};
+    if (round.tiles.empty()) return std::nullopt;
     return round;
+}
+
+std::vector<std::size_t> FilmInProgress::tiles_of_rounds() const {
+    std::vector<std::size_t> tiles;
+    const std::size_t count = tile_count(film_.sample_bounds(), kTileSize_px);
+    tiles.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (left_out_.empty() || left_out_[i] == 0) tiles.push_back(i);
+    }
+    return tiles;
+}
+
+void FilmInProgress::leave_out(std::vector<std::uint8_t> tiles) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t expected = tile_count(film_.sample_bounds(), kTileSize_px);
+    if (tiles.size() != expected) {
+        throw std::invalid_argument("film in progress: " + std::to_string(tiles.size()) +
+                                    " tiles to leave out or not, expected " + std::to_string(expected));
+    }
+    left_out_ = std::move(tiles);
+}
+
+std::size_t FilmInProgress::tiles_left_out() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<std::size_t>(std::count(left_out_.begin(), left_out_.end(), 1));
 }
 
 void FilmInProgress::merge(const FilmTile& samples, const RenderRound& round, std::size_t tile) {
     const std::lock_guard lock(mutex_);
     auto& partial = provenance_.partial;
     if (!partial) {
-        tiles_left_ = tile_count(film_.sample_bounds(), round.tile_px);
-        partial = PartialRound{round.samples, round.tile_px, std::vector<std::uint8_t>(tiles_left_)};
+        tiles_left_ = round.tiles.size();
+        partial = PartialRound{round.samples, round.tile_px,
+                               std::vector<std::uint8_t>(tile_count(film_.sample_bounds(), round.tile_px), 1)};
+        for (const std::size_t missing : round.tiles) partial->done[missing] = 0;
     }
     film_.merge(samples);
     partial->done.at(tile) = 1;
@@ -107,9 +132,9 @@ std::int64_t FilmInProgress::missing_paths(SampleRange wanted) const {
         }
         had.add(partial->samples);
     }
-    for (const SampleRange& range : had.missing(wanted)) {
-        paths += pixel_count(places) * static_cast<std::int64_t>(range.size());
-    }
+    std::int64_t pixels = 0;
+    for (const std::size_t tile : tiles_of_rounds()) pixels += pixel_count(tile_bounds(places, kTileSize_px, tile));
+    for (const SampleRange& range : had.missing(wanted)) paths += pixels * static_cast<std::int64_t>(range.size());
     return paths;
 }
 

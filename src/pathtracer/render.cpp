@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/parallel.h"
+#include "core/parameters.h"
+#include "core/random.h"
 #include "film/filter_sampler.h"
 #include "pathtracer/aux_layers.h"
 #include "pathtracer/camera.h"
 #include "pathtracer/path_integrator.h"
 #include "pathtracer/sample_sequence.h"
+#include "pathtracer/stopping_rule.h"
 #include "spectrum/observer.h"
 #include "spectrum/wavelength_sampler.h"
 
@@ -41,20 +45,25 @@ std::array<XYZ, kMostFixedChannels> channel_matrix(const FixedChannels& channels
     return matrix;
 }
 
+/// Where the random numbers of a picture come from.
+struct RandomNumbers {
+    Sampler sampler;
+    std::uint64_t seed = 0;
+};
+
 /// Renders tiles with one kind of transport.
 template <class Transport>
 class TileRenderer {
   public:
-    TileRenderer(const PreparedScene& scene, const RenderOptions& options, const Film& film)
+    TileRenderer(const PreparedScene& scene, const TransportModel& model, const RandomNumbers& random, const Film& film)
         : scene_(scene),
-          options_(options),
+          random_(random),
           film_(film),
           is_splatted_(film.options().filter_use == FilterUse::splatted),
-          sampler_(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel)),
           filter_(film.options().filter),
           camera_(scene.scene().camera, film.options().width_px, film.options().height_px),
           aux_(scene.scene(), film.options().aux),
-          wavelengths_(sampler_of(scene, options.model)) {
+          wavelengths_(sampler_of(scene, model)) {
         if constexpr (!Transport::kSpectral) {
             xyz_from_channels_ = channel_matrix(*scene.channels(), film.sensor().imaging_ratio());
         }
@@ -100,7 +109,7 @@ class TileRenderer {
     };
 
     Start start_path(int x, int y, int sample_index, Path<Transport>& path) const noexcept {
-        path.samples = SampleSequence(sampler_, options_.seed, x, y, sample_index);
+        path.samples = SampleSequence(random_.sampler, random_.seed, x, y, sample_index);
         const SampleJitter& jitter = scene_.scene().jitter;
         if constexpr (Transport::kSpectral) {
             const auto next_u = [&] {
@@ -148,10 +157,9 @@ class TileRenderer {
     }
 
     const PreparedScene& scene_;
-    const RenderOptions& options_;
+    RandomNumbers random_;
     const Film& film_;
     bool is_splatted_;
-    Sampler sampler_;
     FilterSampler filter_;
     CameraRays camera_;
     AuxLayers aux_;
@@ -159,20 +167,86 @@ class TileRenderer {
     std::array<XYZ, kMostFixedChannels> xyz_from_channels_{};  // of the others
 };
 
+/// The noise pair of a picture, which follows it at a distance, and the rule that it is for.
+template <class Transport>
+class Stopping {
+  public:
+    Stopping(const PreparedScene& scene, const RenderOptions& options, const FilmOptions& film)
+        : threads_(options.threads),
+          rule_(film, *options.until, kTileSize_px),
+          first_(scene, options.model, of_pair(options, 1), rule_.first()),
+          second_(scene, options.model, of_pair(options, 2), rule_.second()) {}
+
+    /// Looks at what has not been looked at yet, up to these samples of the picture; false if `stop` came before.
+    bool follow(std::uint64_t picture_samples, const std::atomic<bool>& stop) {
+        constexpr std::uint64_t kStep = StoppingRule::kSamplesPerLook;
+        for (; looked_ + kStep <= picture_samples; looked_ += kStep) {
+            trace_pair({pair_samples_, StoppingRule::pair_samples(looked_ + kStep)}, stop);
+            if (stop.load(std::memory_order_relaxed)) return false;
+            pair_samples_ = StoppingRule::pair_samples(looked_ + kStep);
+            rule_.look(looked_ + kStep, threads_);
+        }
+        return true;
+    }
+
+    [[nodiscard]] const std::vector<std::uint8_t>& stopped() const noexcept { return rule_.stopped(); }
+
+  private:
+    /// Independent ones: their differences are to tell the noise of samples, not of a sampler.
+    static RandomNumbers of_pair(const RenderOptions& options, std::uint64_t member) {
+        return {IndependentSampler{}, hash_combine(hash_combine(options.seed, 0x756e74696cu), member)};
+    }
+
+    void trace_pair(SampleRange samples, const std::atomic<bool>& stop) {
+        if (samples.size() == 0) return;
+        const std::vector<std::size_t> running = rule_.running_tiles();
+        const PixelBounds& places = rule_.first().sample_bounds();
+        parallel_for(0, static_cast<int>(running.size()), threads_, [&](int i) {
+            if (stop.load(std::memory_order_relaxed)) return;
+            const PixelBounds bounds = tile_bounds(places, kTileSize_px, running[static_cast<std::size_t>(i)]);
+            rule_.first().merge(first_.render_tile(bounds, samples));
+            rule_.second().merge(second_.render_tile(bounds, samples));
+        });
+    }
+
+    int threads_;
+    StoppingRule rule_;
+    TileRenderer<Transport> first_, second_;
+    std::uint64_t looked_ = 0, pair_samples_ = 0;
+};
+
+template <class Transport>
+void render_round(const TileRenderer<Transport>& renderer, const RenderRound& round, int threads, FilmInProgress& film,
+                  RenderProgress& progress) {
+    const PixelBounds places = film.film().sample_bounds();
+    parallel_for(0, static_cast<int>(round.tiles.size()), threads, [&](int i) {
+        if (progress.stop.load(std::memory_order_relaxed)) return;
+        const std::size_t tile = round.tiles[static_cast<std::size_t>(i)];
+        const PixelBounds bounds = tile_bounds(places, round.tile_px, tile);
+        film.merge(renderer.render_tile(bounds, round.samples), round, tile);
+        progress.samples_done += static_cast<std::int64_t>(bounds.width()) * bounds.height() *
+                                 static_cast<std::int64_t>(round.samples.size());
+    });
+}
+
 template <class Transport>
 void render_with(const PreparedScene& scene, const RenderOptions& options, FilmInProgress& film,
                  RenderProgress& progress) {
-    const TileRenderer<Transport> renderer(scene, options, film.film());
-    const PixelBounds places = film.film().sample_bounds();
-    while (const auto round = progress.stop ? std::nullopt : film.next_round(samples_of(options))) {
-        parallel_for(0, static_cast<int>(round->tiles.size()), options.threads, [&](int i) {
-            if (progress.stop.load(std::memory_order_relaxed)) return;
-            const std::size_t tile = round->tiles[static_cast<std::size_t>(i)];
-            const PixelBounds bounds = tile_bounds(places, round->tile_px, tile);
-            film.merge(renderer.render_tile(bounds, round->samples), *round, tile);
-            progress.samples_done += static_cast<std::int64_t>(bounds.width()) * bounds.height() *
-                                     static_cast<std::int64_t>(round->samples.size());
-        });
+    const Sampler sampler = with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel);
+    const TileRenderer<Transport> renderer(scene, options.model, {sampler, options.seed}, film.film());
+    std::unique_ptr<Stopping<Transport>> stopping;
+    if (options.until) stopping = std::make_unique<Stopping<Transport>>(scene, options, film.film().options());
+    const SampleRange wanted = samples_of(options);
+    while (!progress.stop) {
+        if (stopping) {
+            if (!stopping->follow(film.provenance().samples.count(), progress.stop)) return;
+            const std::int64_t missing = film.missing_paths(wanted);
+            film.leave_out(stopping->stopped());
+            progress.samples_saved += missing - film.missing_paths(wanted);
+        }
+        const std::optional<RenderRound> round = film.next_round(wanted);
+        if (!round) return;
+        render_round(renderer, *round, options.threads, film, progress);
     }
 }
 
@@ -214,6 +288,10 @@ void validate(const RenderOptions& options) {
     }
     validate(options.model);
     if (options.threads < 0) refuse("threads", options.threads, "at least 0");
+    if (options.until && samples.size() < static_cast<std::uint64_t>(options.samples_per_pixel)) {
+        throw std::invalid_argument("samples [" + std::to_string(samples.begin) + ", " + std::to_string(samples.end) +
+                                    "): must be all where tiles stop on their own");
+    }
 }
 
 std::string why_not_of_channels(const FilmOptions& film) {
@@ -233,8 +311,9 @@ FilmProvenance provenance_of(const Scene& scene, const RenderOptions& options) {
     FilmProvenance provenance;
     provenance.scene = scene.hash;
     provenance.sampling = to_text(with_samples_per_pixel(scene.sampler, options.samples_per_pixel)) +
-                          " seed=" + std::to_string(options.seed) + " model=" + to_text(options.model) +
-                          " renderer=emulsion-" EMULSION_VERSION;
+                          " seed=" + std::to_string(options.seed) + " model=" + to_text(options.model);
+    if (options.until) provenance.sampling += std::string(kStopsByTile) + number_text(*options.until);
+    provenance.sampling += " renderer=emulsion-" EMULSION_VERSION;
     return provenance;
 }
 

@@ -1,0 +1,73 @@
+#pragma once
+// When a tile of a picture has enough samples: when the standard error of its colour, in CIEDE2000, is below a target.
+//
+// Samples that decide when to stop must not be in the picture. Where they are, a pixel whose first samples happened to
+// be dark and alike is stopped, and one that has just met a firefly goes on until it is diluted: the picture is too
+// dark wherever light is skewed (Kirk & Arvo, "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991; its
+// remedy is ours). So two further pictures of few samples, the noise pair, are taken with random numbers of their own.
+// They say how noisy the picture is, decide, and are thrown away. How many samples the picture has of a tile is then
+// independent of their values, and its expectation is that of any other picture. The price is an eighth more paths, a
+// quarter at the first look.
+//
+// At a look, after n samples of the picture, the noise pair has m each: in a pixel, half the difference of the two is
+// an error as that of their mean, of 2 m samples; sqrt(2 m / n) times it is one as the picture's. The standard error of
+// the tile is the root mean square over its pixels of what that error does to the colour of their mean (CIEDE2000, by
+// the rule of spectrum/viewing_conditions.h).
+//
+// It is what independent samples have: stratified and low-discrepancy samplers are better, and stop later than they
+// need. Light that is so rare that neither of the pair has met it is not in the estimate. Pixels of one tile share the
+// decision, those of different tiles don't, and tiles lie on a grid from the film's corner: another crop window,
+// another picture.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/image.h"
+#include "film/film.h"
+
+namespace emulsion {
+
+class StoppingRule {
+  public:
+    /// Looks come after so many samples of the picture, and after every further so many.
+    static constexpr std::uint64_t kSamplesPerLook = 16;
+    /// Each of the noise pair has this share of the picture's samples, but never less than kFewestPairSamples.
+    static constexpr std::uint64_t kSamplesPerPairSample = 16, kFewestPairSamples = 2;
+
+    /// \param film      options of the picture's film
+    /// \param target    standard error that is low enough, CIEDE2000; finite, > 0
+    /// \param tile_px   side of the tiles, counted row by row over the film's sample bounds; >= 1
+    /// \throws std::invalid_argument as validate_stopping(), and Film.
+    StoppingRule(const FilmOptions& film, double target, int tile_px);
+
+    /// Samples of every pixel that each of the pair must have at a look after `picture_samples` of the picture.
+    [[nodiscard]] static std::uint64_t pair_samples(std::uint64_t picture_samples) noexcept;
+
+    /// The noise pair, to be filled; of the picture's options without layers and without a median of means, which so
+    /// few samples don't have.
+    [[nodiscard]] Film& first() noexcept { return first_; }
+    [[nodiscard]] Film& second() noexcept { return second_; }
+
+    /// Stops the tiles whose standard error is at most the target. The pair has pair_samples(picture_samples) in all
+    /// tiles that were running; those of stopped ones are never looked at again but for the picture's white.
+    /// \param threads 0: one per hardware thread; the result depends on none
+    void look(std::uint64_t picture_samples, int threads);
+
+    [[nodiscard]] std::vector<std::size_t> running_tiles() const;
+    /// Of every tile, 1 if it has stopped.
+    [[nodiscard]] const std::vector<std::uint8_t>& stopped() const noexcept { return stopped_; }
+
+  private:
+    Film first_, second_;
+    double target_;
+    int tile_px_;
+    std::vector<std::uint8_t> stopped_;
+};
+
+/// That pictures of such a film can be stopped tile by tile.
+/// \throws std::invalid_argument naming the field, its value and its range: for a target that isn't finite and > 0, and
+/// for splatted filters, which would mix the tiles' numbers of samples at their edges.
+void validate_stopping(const FilmOptions& film, double target);
+
+}  // namespace emulsion
