@@ -89,19 +89,26 @@ std::string share_text(double share) {
     return std::abs(std::clamp(share, 0.0, 1.0) - share) < 5e-4 ? held : held + " (estimated " + estimate + ")";
 }
 
-void report_noise_and_bias(const NoiseAndBias& parts, InfoReport& report) {
-    const bool of_xyz = parts.components == KnownNoise::xyz;
+bool is_upper_bound(const CompareReport& in) noexcept {
+    return in.a.estimate == NoiseEstimate::upper_bound || in.b.estimate == NoiseEstimate::upper_bound;
+}
+
+void report_noise_and_bias(const NoiseAndBias& parts, const CompareReport& in, InfoReport& report) {
+    const bool of_xyz = parts.components == KnownNoise::xyz, is_bound = is_upper_bound(in);
     if (parts.mean_squared > 0.0) {
-        report.line("due to noise", fmt::format("{} of the squared difference in {}, relative to what is around",
-                                                share_text(parts.noise_share()), of_xyz ? "X, Y and Z" : "Y"));
-        report.line("due to bias", fmt::format("{}, with a standard error of {:.1f} %", share_text(parts.bias_share()),
-                                               100.0 * parts.bias_share_standard_error()));
+        report.line("due to noise", fmt::format("{}{} of the squared difference in {}, relative to what is around",
+                                                is_bound ? "at most " : "", share_text(parts.noise_share()),
+                                                of_xyz ? "X, Y and Z" : "Y"));
+        report.line("due to bias",
+                    fmt::format("{}{}, with a standard error of {:.1f} %", is_bound ? "at least " : "",
+                                share_text(parts.bias_share()), 100.0 * parts.bias_share_standard_error()));
     } else {
         report.line("due to noise", "there is no difference");
         report.line("due to bias", "there is no difference");
     }
     report.member("noise_and_bias",
                   json_object({{"components", json_text(of_xyz ? "xyz" : "luminance")},
+                               {"noise_is_upper_bound", is_bound ? "true" : "false"},
                                {"pixels", std::to_string(parts.pixels)},
                                {"mean_squared", json_number(parts.mean_squared)},
                                {"noise", json_number(parts.noise)},
@@ -122,7 +129,7 @@ void report_errors(const CompareReport& in, InfoReport& report) {
     report.line("PSNR", std::isinf(found.psnr_db) ? "infinite: equal once tone-mapped"
                                                   : fmt::format("{:.2f} dB, tone-mapped and encoded", found.psnr_db));
     report.member("psnr_db", json_number(found.psnr_db));
-    if (found.squared.parts) return report_noise_and_bias(*found.squared.parts, report);
+    if (found.squared.parts) return report_noise_and_bias(*found.squared.parts, in, report);
     report_unknown_noise(in, report);
 }
 
@@ -153,10 +160,11 @@ std::vector<std::string> notes_of(const CompareReport& in) {
         notes.push_back(fmt::format(
             "both have seed {}: if they share samples, their noise is not independent, and the shares do not hold",
             *seed));
-    } else if (parts->bias < -3.0 * parts->bias_standard_error) {
+    } else if (is_upper_bound(in) || parts->bias < -3.0 * parts->bias_standard_error) {
         notes.emplace_back(
-            "noise is overestimated: films tell it as of independent samples, stratified ones do better; --a-again and "
-            "--b-again tell it right");
+            "noise is overestimated, bias underestimated: films tell noise as of independent samples, stratified ones "
+            "do "
+            "better; --a-again and --b-again tell it right");
     }
     return notes;
 }

@@ -113,12 +113,14 @@ void report_run(const FilmMetadata& metadata, InfoReport& report) {
     report.line("film", metadata.film);
     report.line("seed", std::to_string(metadata.seed));
     if (!metadata.model.empty()) report.line("model", metadata.model);
+    if (!metadata.sampling.empty()) report.line("sampling", metadata.sampling);
     report.line("renderer", metadata.renderer_version);
     report.line("command line", metadata.command_line);
     report.member_text("filter", metadata.filter);
     report.member_text("film", metadata.film);
     report.member("seed", std::to_string(metadata.seed));
     report.member_text("model", metadata.model);
+    report.member_text("sampling", metadata.sampling);
     report.member_text("renderer", metadata.renderer_version);
     report.member_text("command_line", metadata.command_line);
 }
@@ -143,9 +145,7 @@ void report_ranges(const FilmProvenance& provenance, InfoReport& report) {
     }
     report.member("partial_round", partial_json);
     report.line("scene", provenance.scene);
-    report.line("sampling", provenance.sampling);
     report.member_text("scene", provenance.scene);
-    report.member_text("sampling", provenance.sampling);
 }
 
 /// What the header of the picture does not have.

@@ -73,6 +73,8 @@ ComparedPicture compared_picture(FilmImage image) {
         .xyz = {}, .window = image.data_window, .width_px = image.width_px, .height_px = image.height_px};
     take_noise(image, picture);
     picture.observer = observer_of(image.metadata, picture.observer);
+    const std::string& sampling = image.metadata.sampling;
+    if (!sampling.empty() && !sampling.starts_with("independent")) picture.estimate = NoiseEstimate::upper_bound;
     if (!image.metadata.renderer_version.empty()) picture.seeds = {image.metadata.seed};
     picture.xyz = std::move(image.xyz);
     picture.notes = std::move(image.notes);
@@ -94,6 +96,7 @@ ComparedPicture mean_of(const ComparedPicture& first, const ComparedPicture& sec
     }
     ComparedPicture mean = first;
     mean.noise = KnownNoise::xyz;
+    mean.estimate = NoiseEstimate::unbiased;
     mean.standard_error = Image<XYZ>(mean.xyz.width(), mean.xyz.height());
     mean.seeds.insert(mean.seeds.end(), second.seeds.begin(), second.seeds.end());
     mean.notes.insert(mean.notes.end(), second.notes.begin(), second.notes.end());
@@ -136,7 +139,8 @@ ComparedPicture cropped(const ComparedPicture& picture, const PixelBounds& windo
                            .window = window,
                            .width_px = picture.width_px,
                            .height_px = picture.height_px,
-                           .noise = picture.noise};
+                           .noise = picture.noise,
+                           .estimate = picture.estimate};
     if (picture.noise != KnownNoise::none) inside.standard_error = part(picture.standard_error);
     inside.observer = picture.observer;
     inside.seeds = picture.seeds;

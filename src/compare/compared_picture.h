@@ -16,12 +16,19 @@ namespace emulsion {
 /// Of which components of the pixels a picture knows the noise.
 enum class KnownNoise { none, luminance, xyz };
 
+/// What the standard errors are of the noise.
+enum class NoiseEstimate {
+    unbiased,
+    upper_bound,  ///< that of independent samples, where the picture's are stratified, and do better
+};
+
 struct ComparedPicture {
-    Image<XYZ> xyz;                          ///< Y in cd/m^2
-    PixelBounds window = {};                 ///< where xyz lies in the frame
-    int width_px = 0, height_px = 0;         ///< of the frame; both >= 1
-    KnownNoise noise = KnownNoise::none;     ///< what standard_error holds
-    Image<XYZ> standard_error = {};          ///< of each pixel, cd/m^2, >= 0; Y alone for luminance; NaN where unknown
+    Image<XYZ> xyz;                       ///< Y in cd/m^2
+    PixelBounds window = {};              ///< where xyz lies in the frame
+    int width_px = 0, height_px = 0;      ///< of the frame; both >= 1
+    KnownNoise noise = KnownNoise::none;  ///< what standard_error holds
+    Image<XYZ> standard_error = {};       ///< of each pixel, cd/m^2, >= 0; Y alone for luminance; NaN where unknown
+    NoiseEstimate estimate = NoiseEstimate::unbiased;
     std::string observer = "cie_1931_2deg";  ///< whose XYZ it is: a name that observer() takes
     std::vector<std::uint64_t> seeds = {};   ///< of its noise, as far as files tell
     std::vector<std::string> notes = {};     ///< what was assumed or left out in reading, one sentence each
@@ -29,7 +36,7 @@ struct ComparedPicture {
 
 /// The noise is that of the layers "standard-error.Y", or of ".X", ".Y" and ".Z", in the file's units; unknown for
 /// pixels of fewer than two samples by the layer "samples". The observer is the one that the film's options name, if
-/// they do.
+/// they do. The noise is an upper bound where the film's sampling is known and isn't that of independent samples.
 [[nodiscard]] ComparedPicture compared_picture(FilmImage image);
 
 /// The mean of two pictures of one scene with independent noise, and its own noise as the two tell it: a standard error

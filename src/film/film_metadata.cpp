@@ -106,6 +106,7 @@ void update_counts(const FilmContents<ExactSums>& contents, const FilmOptions& o
 FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmOptions& options,
                          const FilmProvenance& provenance, FilmMetadata run) {
     update_counts(contents, options, provenance, run);
+    run.sampling = provenance.sampling;
     run.filter = to_text(options.filter);
     const std::string text = to_text(options);
     run.film = text.substr(text.find(' ') + 1) + " " + to_text(options.sensor);

@@ -168,11 +168,16 @@ TEST_F(CompareProgram, SecondPicturesTellTheNoiseOfAnySampler) {
     // The sampler stratifies: noise is not as much as the film's layers say.
     const std::string by_layers = compare({a, b, "--json"}).out;
     EXPECT_LT(number(by_layers, "bias_share"), -4.0 * number(by_layers, "bias_share_standard_error"));
-    EXPECT_THAT(by_layers, HasSubstr("noise is overestimated"));
+    EXPECT_THAT(by_layers, HasSubstr("noise is overestimated, bias underestimated"));
+    EXPECT_THAT(by_layers, HasSubstr("\"noise_is_upper_bound\": true"));
+    const std::string text = compare({a, b}).out;
+    EXPECT_THAT(text, HasSubstr("due to noise      at most 100.0 % (estimated "));
+    EXPECT_THAT(text, HasSubstr("due to bias       at least 0.0 % (estimated -"));
     const std::string again = compare({a, b, "--a-again", a2, "--b-again", b2, "--json"}).out;
     EXPECT_NEAR(number(again, "bias_share"), 0.0, 4.0 * number(again, "bias_share_standard_error"));
     EXPECT_LT(number(again, "bias_share_standard_error"), 0.1);
     EXPECT_THAT(again, HasSubstr("\"notes\": []"));
+    EXPECT_THAT(again, HasSubstr("\"noise_is_upper_bound\": false"));
 
     const ProgramResult same = compare({a, b, "--a-again", render("c.exr", "1")});
     EXPECT_EQ(same.exit_code, 1);
