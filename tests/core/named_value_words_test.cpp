@@ -74,9 +74,20 @@ TEST(NamedValueWords, NumbersOfSpecialValuesAreRefused) {
               "thing automatic: width = -1: must be auto or in (0, inf)");
 }
 
+TEST(NamedValueWords, WhatIsNeitherWordNorNumberIsRefusedWithTheWords) {
+    const auto read = [](const char* text) {
+        return refusal([&] { (void)parse_named<AutomaticAlone>(text, "thing"); });
+    };
+    EXPECT_EQ(read("automatic:width=abc"), "thing automatic: width = \"abc\": neither auto nor a number");
+    EXPECT_EQ(read("automatic:count=2.5"),
+              "thing automatic: count = \"2.5\": neither none nor every nor a whole number");
+    EXPECT_EQ(read("automatic:width=1e39"), "thing automatic: width = \"1e39\": too large or too small to be held");
+}
+
 TEST(NamedValueWords, WordOfAnotherParameterIsNoNumber) {
-    EXPECT_THAT([] { (void)parse_named<AutomaticAlone>("automatic:width=none", "thing"); },
-                ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = \"none\": not a number")));
+    EXPECT_THAT(
+        [] { (void)parse_named<AutomaticAlone>("automatic:width=none", "thing"); },
+        ThrowsMessage<std::invalid_argument>(StrEq("thing automatic: width = \"none\": neither auto nor a number")));
     EXPECT_EQ(message_of("blur:radius=auto"), "effect blur: radius = \"auto\": not a number");
 }
 
