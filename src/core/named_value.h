@@ -201,7 +201,7 @@ template <NamedValue T>
         return;
     }
     const auto read_number = [&](auto member) {
-        parse_number(text, what, value.*member);
+        parse_number(text, what, value.*member, parameter.special);
         check_range(value.*member, parameter.range, what, parameter.special);
     };
     std::visit(read_number, parameter.member);

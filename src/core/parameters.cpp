@@ -20,8 +20,23 @@ std::string shortest_text(T value) {
     return {buffer.data(), result.ptr};
 }
 
+std::string joined(std::span<const ParameterWord> words, std::string_view between) {
+    std::string text;
+    for (const ParameterWord& choice : words) {
+        if (!text.empty()) text += between;
+        text += choice.word;
+    }
+    return text;
+}
+
+/// "not a number", or "neither auto nor a number".
+std::string refusal_of_text(std::string_view number, std::span<const ParameterWord> special) {
+    if (special.empty()) return "not " + std::string(number);
+    return "neither " + joined(special, " nor ") + " nor " + std::string(number);
+}
+
 template <class T>
-void parse_whole_text(std::string_view text, std::string_view what, T& value) {
+void parse_whole_text(std::string_view text, std::string_view what, T& value, std::span<const ParameterWord> special) {
     const std::string shown = std::string(what) + " = \"" + std::string(text) + '"';
     const char* end = text.data() + text.size();
     T parsed{};
@@ -30,24 +45,16 @@ void parse_whole_text(std::string_view text, std::string_view what, T& value) {
         throw std::invalid_argument(shown + ": too large or too small to be held");
     }
     if (result.ec != std::errc{} || result.ptr != end) {
-        throw std::invalid_argument(shown + (std::integral<T> ? ": not a whole number" : ": not a number"));
+        const std::string_view number = std::integral<T> ? "a whole number" : "a number";
+        throw std::invalid_argument(shown + ": " + refusal_of_text(number, special));
     }
     value = parsed;
-}
-
-std::string joined(std::span<const ParameterWord> words) {
-    std::string text;
-    for (const ParameterWord& choice : words) {
-        if (!text.empty()) text += ", ";
-        text += choice.word;
-    }
-    return text;
 }
 
 void check(double value, const std::string& value_text, const ParameterRange& range, std::string_view what,
            std::span<const ParameterWord> special) {
     if (range.contains(value)) return;
-    const std::string others = special.empty() ? "" : joined(special) + " or ";
+    const std::string others = special.empty() ? "" : joined(special, ", ") + " or ";
     throw std::invalid_argument(std::string(what) + " = " + value_text + ": must be " + others + "in " +
                                 to_text(range));
 }
@@ -60,18 +67,24 @@ std::string to_text(const ParameterRange& range) {
 }
 
 std::string range_text(const ParameterRange& range, std::span<const ParameterWord> special) {
-    return special.empty() ? to_text(range) : joined(special) + " or " + to_text(range);
+    return special.empty() ? to_text(range) : joined(special, ", ") + " or " + to_text(range);
 }
 
-std::string range_text(std::span<const ParameterWord> words) { return '{' + joined(words) + '}'; }
+std::string range_text(std::span<const ParameterWord> words) { return '{' + joined(words, ", ") + '}'; }
 
 std::string number_text(float value) { return shortest_text(value); }
 std::string number_text(double value) { return shortest_text(value); }
 std::string number_text(int value) { return shortest_text(value); }
 
-void parse_number(std::string_view text, std::string_view what, float& value) { parse_whole_text(text, what, value); }
-void parse_number(std::string_view text, std::string_view what, double& value) { parse_whole_text(text, what, value); }
-void parse_number(std::string_view text, std::string_view what, int& value) { parse_whole_text(text, what, value); }
+void parse_number(std::string_view text, std::string_view what, float& value, std::span<const ParameterWord> special) {
+    parse_whole_text(text, what, value, special);
+}
+void parse_number(std::string_view text, std::string_view what, double& value, std::span<const ParameterWord> special) {
+    parse_whole_text(text, what, value, special);
+}
+void parse_number(std::string_view text, std::string_view what, int& value, std::span<const ParameterWord> special) {
+    parse_whole_text(text, what, value, special);
+}
 
 void check_range(float value, const ParameterRange& range, std::string_view what,
                  std::span<const ParameterWord> special) {

@@ -95,10 +95,14 @@ struct ParameterDescription {
 
 /// Reads the whole of `text` into `value`: decimal, with a point whatever the locale; "inf" for infinity in a float or
 /// double. `what` names the parameter in messages: "tonemap reinhard-global: key". \throws std::invalid_argument if the
-/// text is no number (for an int: no whole number), or too large or too small to be held.
-void parse_number(std::string_view text, std::string_view what, float& value);
-void parse_number(std::string_view text, std::string_view what, double& value);
-void parse_number(std::string_view text, std::string_view what, int& value);
+/// text is no number (for an int: no whole number), or too large or too small to be held. The words that might have
+/// stood there are named before the number: "neither auto nor a number".
+void parse_number(std::string_view text, std::string_view what, float& value,
+                  std::span<const ParameterWord> special = {});
+void parse_number(std::string_view text, std::string_view what, double& value,
+                  std::span<const ParameterWord> special = {});
+void parse_number(std::string_view text, std::string_view what, int& value,
+                  std::span<const ParameterWord> special = {});
 
 /// \throws std::invalid_argument naming `what`, the value and the range, unless the range contains the value. The words
 /// that might have stood there are named before the range: "must be auto or in (0, 1]".

@@ -10,123 +10,18 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "display/code_units.h"
+#include "display/error_rows.h"
+#include "display/gather_errors.h"
 #include "display/wavefront.h"
 
 namespace emulsion {
 
 namespace {
 
-/// Errors in units. A white part at the right border takes errors from its left that find no code, row by row: fewer
-/// than 0.12 codes a row (tests/display/diffusion_kernel_test.cpp). So 7/16 of the error of 2^15 rows are within 32
-/// bits.
-using Units = std::int32_t;
-constexpr int kMostRows = 1 << 15;
-
 constexpr int kPadding_px = 2;  // beside a row of errors: the reach of the widest kernel
 constexpr int kEdge_px = 4;     // that pixels within that reach of a border hand errors down to
 constexpr int kLeastWidth_px = 2 * kEdge_px;
-
-/// The errors of a row as the rows below want them; 0 beside it, and for pixels that hand theirs down themselves.
-struct RowErrors {
-    std::vector<Units> parts;  ///< the error where shares are rounded each, else the divisor's part of it
-    std::vector<Units> rests;  ///< what goes below; empty where shares are rounded each
-
-    template <const DiffusionKernel& Kernel>
-    static RowErrors make(std::size_t size) {
-        return {std::vector<Units>(size), std::vector<Units>(Kernel.rounding == ShareRounding::parts ? size : 0)};
-    }
-};
-
-/// Which rows' errors are kept in the same memory, so that what is worked on stays in the processor's cache. Of a band
-/// of a Wavefront, the last rows wait for the band below. The others take turns in three: tiles lean so far that a row
-/// is read for the last time, by the two below it, before the third one below it is written there.
-class ErrorRows {
-  public:
-    ErrorRows(const Wavefront& wavefront, int reach) noexcept
-        : rows_(wavefront.rows_of_band()),
-          reach_(reach),
-          bands_(wavefront.bands_at_once() + 2),
-          places_(rows_ == 1 ? 1 : kTurns + reach) {}
-
-    [[nodiscard]] std::size_t count() const noexcept {
-        return static_cast<std::size_t>(bands_) * static_cast<std::size_t>(places_);
-    }
-    [[nodiscard]] std::size_t place_of(int y) const noexcept {
-        const int row = y % rows_, from_last = rows_ - 1 - row;
-        const int place = rows_ > 1 && from_last < reach_ ? kTurns + from_last : row % kTurns;
-        const int band = y / rows_ % bands_;
-        return static_cast<std::size_t>(band) * static_cast<std::size_t>(places_) + static_cast<std::size_t>(place);
-    }
-
-  private:
-    static constexpr int kTurns = 3;
-    int rows_, reach_, bands_, places_;
-};
-
-/// Where a row's errors are read from: component 0 of the row, and components from a pixel to the next that was
-/// rounded.
-struct ErrorSource {
-    const Units *parts, *rests;
-    std::ptrdiff_t step;
-};
-
-/// Compilers are to see every weight as a number, and so these are templates.
-template <const DiffusionKernel& Kernel, int Dx, int Dy>
-Units share(Units error) noexcept {
-    constexpr int kWeight = Kernel.weight(Dx, Dy);
-    if constexpr (kWeight == 0) return 0;
-    return Kernel.share(error, kWeight);
-}
-
-/// What a pixel below gets of an error if all its neighbours are there.
-template <const DiffusionKernel& Kernel>
-Units rest_below(Units error) noexcept {
-    constexpr int kOthers = Kernel.total() - Kernel.weight(0, 1);
-    if constexpr (Kernel.rounding == ShareRounding::parts) {
-        return Kernel.handed_on(error) - kOthers * Kernel.floor_quotient(error);
-    } else {
-        static_assert(Kernel.reach() == 1);
-        return Kernel.handed_on(error) -
-               (share<Kernel, 1, 0>(error) + share<Kernel, -1, 1>(error) + share<Kernel, 1, 1>(error));
-    }
-}
-
-/// What component i gets from the pixel that it is Dx ahead and Dy below of.
-template <const DiffusionKernel& Kernel, int Dx, int Dy>
-Units share_from(const ErrorSource& source, std::ptrdiff_t i) noexcept {
-    constexpr int kWeight = Kernel.weight(Dx, Dy);
-    if constexpr (kWeight == 0) {
-        return 0;
-    } else if constexpr (Kernel.rounding == ShareRounding::parts) {
-        return Dx == 0 && Dy == 1 ? source.rests[i] : kWeight * source.parts[i - Dx * source.step];
-    } else {
-        const Units error = source.parts[i - Dx * source.step];
-        return Dx == 0 && Dy == 1 ? rest_below<Kernel>(error) : share<Kernel, Dx, Dy>(error);
-    }
-}
-
-/// From all pixels of the row so far up. Inlined whatever compilers think: only then do they make vectors of the loop.
-template <const DiffusionKernel& Kernel, int Dy>
-[[gnu::always_inline]] inline Units shares_from(const ErrorSource& source, std::ptrdiff_t i) noexcept {
-    return share_from<Kernel, -2, Dy>(source, i) + share_from<Kernel, -1, Dy>(source, i) +
-           share_from<Kernel, 0, Dy>(source, i) + share_from<Kernel, 1, Dy>(source, i) +
-           share_from<Kernel, 2, Dy>(source, i);
-}
-
-/// Values of components from `begin` on, which `encoded` has, with the shares of the errors above them: one row up and,
-/// for wide kernels, two.
-template <const DiffusionKernel& Kernel>
-void gather(std::span<const float> encoded, const CodeUnits& units, const ErrorSource& one_up,
-            const ErrorSource& two_up, std::ptrdiff_t begin, std::span<Units> values) noexcept {
-    const float* in = encoded.data();
-    Units* out = values.data() + begin;
-    const auto count = static_cast<std::ptrdiff_t>(encoded.size());
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        Units value = units(in[i]) + shares_from<Kernel, 1>(one_up, begin + i);
-        if constexpr (Kernel.reach() == 2) value += shares_from<Kernel, 2>(two_up, begin + i);
-        out[i] = value;
-    }
-}
 
 /// A picture that is being rounded.
 template <const DiffusionKernel& Kernel, int Channels>
@@ -147,7 +42,7 @@ class RowDiffusion {
 
     /// Rounds row y, which is above the last rows, on from where it was left to before column x1. Rows above are done
     /// as far as x1 + reach. `values` is room for a row.
-    void round_to(int y, int x1, EncodedReader& read, std::span<Units> values) {
+    void round_to(int y, int x1, EncodedReader& read, std::span<ErrorUnits> values) {
         RowState& state = states_[static_cast<std::size_t>(y)];
         const int x0 = std::exchange(state.done, x1);
         Carry& carry = state.carry;
@@ -172,9 +67,9 @@ class RowDiffusion {
         IncomingErrors all(codes_.width);
         const CodeUnits no_units(CodeScale{0, 1});
         const std::vector<float> black(codes_.row(0).size());
-        std::vector<Units> values(black.size());
+        std::vector<ErrorUnits> values(black.size());
         for (int y = first_row; y < std::min(first_row + Kernel.reach(), codes_.height); ++y) {
-            gather<Kernel>(black, no_units, source(y - 1, first_row), source(y - 2, first_row), 0, values);
+            gather_errors<Kernel>(black, no_units, source(y - 1, first_row), source(y - 2, first_row), 0, values);
             add_edges(y, 0, codes_.width, values);
             for (int x = 0; x < codes_.width; ++x) {
                 all.row(y - first_row)[static_cast<std::size_t>(x)] = values[component(x, channel)];
@@ -192,7 +87,7 @@ class RowDiffusion {
 
     /// What a row hands on within itself: to the next pixel and to the one after it.
     struct Carry {
-        std::array<Units, Channels> next{}, after_next{};
+        std::array<ErrorUnits, Channels> next{}, after_next{};
     };
     struct RowState {
         int done = 0;  ///< columns
@@ -200,7 +95,7 @@ class RowDiffusion {
     };
 
     /// Errors handed down to the pixels near the left and right border of a row.
-    using Edges = std::array<Units, std::size_t{kLeastWidth_px} * Channels>;
+    using Edges = std::array<ErrorUnits, std::size_t{kLeastWidth_px} * Channels>;
 
     [[nodiscard]] RowErrors& errors(int y) noexcept { return errors_[error_rows_.place_of(y)]; }
 
@@ -208,21 +103,21 @@ class RowDiffusion {
     [[nodiscard]] ErrorSource source(int y, int end) noexcept {
         if (y < 0 || y >= end) return {nothing_.data() + kPadding, nothing_.data() + kPadding, Channels};
         const RowErrors& row = errors(y);
-        const Units* rests = row.rests.empty() ? nullptr : row.rests.data() + kPadding;
+        const ErrorUnits* rests = row.rests.empty() ? nullptr : row.rests.data() + kPadding;
         return {row.parts.data() + kPadding, rests, std::ptrdiff_t{Channels} * row_direction(order_, y)};
     }
 
     /// A stretch after the other, each while its encoded values are in the cache.
-    void gather_values(int y, int x0, int x1, EncodedReader& read, std::span<Units> values) {
+    void gather_values(int y, int x0, int x1, EncodedReader& read, std::span<ErrorUnits> values) {
         for (int begin = x0; begin < x1; begin += kStretch_px) {
             const std::span<const float> encoded = read(y, begin, std::min(x1, begin + kStretch_px));
-            gather<Kernel>(encoded, units_, source(y - 1, y), source(y - 2, y), std::ptrdiff_t{begin} * Channels,
-                           values);
+            gather_errors<Kernel>(encoded, units_, source(y - 1, y), source(y - 2, y), std::ptrdiff_t{begin} * Channels,
+                                  values);
         }
         add_edges(y, x0, x1, values);
     }
 
-    void add_edges(int y, int x0, int x1, std::span<Units> values) noexcept {
+    void add_edges(int y, int x0, int x1, std::span<ErrorUnits> values) noexcept {
         const Edges& edges = edges_[static_cast<std::size_t>(y)];
         const auto add = [&](int x, int place) {
             for (int c = 0; c < Channels; ++c) {
@@ -236,20 +131,20 @@ class RowDiffusion {
 
     /// The pixels [begin, end) in the order of the row, which have all neighbours.
     template <int Direction>
-    void round_inside(int y, int begin, int end, Carry& carry, std::span<const Units> values) noexcept {
+    void round_inside(int y, int begin, int end, Carry& carry, std::span<const ErrorUnits> values) noexcept {
         const int first = Direction > 0 ? begin : codes_.width - 1 - begin;
         const std::ptrdiff_t start = std::ptrdiff_t{first} * Channels;
-        const Units* value = values.data() + start;
+        const ErrorUnits* value = values.data() + start;
         std::uint16_t* code = codes_.row(y).data() + start;
         RowErrors& row = errors(y);
-        Units* part = row.parts.data() + kPadding + start;
-        Units* rest = part;
+        ErrorUnits* part = row.parts.data() + kPadding + start;
+        ErrorUnits* rest = part;
         if constexpr (Kernel.rounding == ShareRounding::parts) rest = row.rests.data() + kPadding + start;
         Carry now = carry;
         for (int i = begin; i < end; ++i) {
             for (int c = 0; c < Channels; ++c) {
                 const auto channel = static_cast<std::size_t>(c);
-                Units error = value[c] + now.next[channel];
+                ErrorUnits error = value[c] + now.next[channel];
                 code[c] = take_code(error, units_, scale_);
                 now.next[channel] = now.after_next[channel] + share<Kernel, 1, 0>(error);
                 now.after_next[channel] = share<Kernel, 2, 0>(error);
@@ -268,17 +163,17 @@ class RowDiffusion {
     }
 
     /// Pixel i in the order of the row, near a border.
-    void round_at_border(int y, int i, Carry& carry, std::span<const Units> values) noexcept {
+    void round_at_border(int y, int i, Carry& carry, std::span<const ErrorUnits> values) noexcept {
         const int width = codes_.width, direction = row_direction(order_, y);
         const int x = direction > 0 ? i : width - 1 - i;
         const DiffusionNeighbours& neighbours = i < width / 2 ? near_begin_[static_cast<std::size_t>(i)]
                                                               : near_end_[static_cast<std::size_t>(width - 1 - i)];
         for (int c = 0; c < Channels; ++c) {
             const auto channel = static_cast<std::size_t>(c);
-            Units error = values[component(x, c)] + carry.next[channel];
+            ErrorUnits error = values[component(x, c)] + carry.next[channel];
             codes_.row(y)[component(x, c)] = take_code(error, units_, scale_);
             carry.next[channel] = std::exchange(carry.after_next[channel], 0);
-            neighbours.hand_on(Kernel, error, [&](int dx, int dy, Units share) {
+            neighbours.hand_on(Kernel, error, [&](int dx, int dy, ErrorUnits share) {
                 if (dy == 0) {
                     (dx == 1 ? carry.next : carry.after_next)[channel] += share;
                     return;
@@ -296,7 +191,7 @@ class RowDiffusion {
     CodeRows codes_;
     ErrorRows error_rows_;
     std::vector<RowErrors> errors_;  // in the places of error_rows_
-    std::vector<Units> nothing_ = std::vector<Units>(codes_.row(0).size() + 2 * kPadding);
+    std::vector<ErrorUnits> nothing_ = std::vector<ErrorUnits>(codes_.row(0).size() + 2 * kPadding);
     std::vector<Edges> edges_;  // of all rows
     std::vector<RowState> states_;
     /// Of the first two pixels in the order of the row, and of the last two from the end.
@@ -310,7 +205,7 @@ template <const DiffusionKernel& Kernel, int Channels>
 void diffuse_channels(RowOrder order, const EncodedSource& source, const CodeScale& scale, const CodeRows& codes,
                       int threads) {
     const int last_rows = codes.height - Kernel.reach(), width = codes.width;
-    if (last_rows <= 0 || last_rows > kMostRows || width < kLeastWidth_px) {
+    if (last_rows <= 0 || last_rows > kMostErrorRows || width < kLeastWidth_px) {
         return diffuse_plainly(Kernel, order, EncodedPicture(source, 0, threads).rows(), scale, codes);
     }
 
@@ -323,7 +218,7 @@ void diffuse_channels(RowOrder order, const EncodedSource& source, const CodeSca
     RowDiffusion<Kernel, Channels> diffusion(order, scale, codes, wavefront);
     parallel_for(0, workers, workers, [&](int) {
         EncodedReader read(source);
-        std::vector<Units> values(codes.row(0).size());
+        std::vector<ErrorUnits> values(codes.row(0).size());
         while (const std::optional<WavefrontTile> tile = wavefront.take()) {
             for (int y = tile->y0; y < tile->y1; ++y) diffusion.round_to(y, wavefront.end_of(*tile, y), read, values);
             wavefront.done(*tile);

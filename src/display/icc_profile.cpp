@@ -48,9 +48,9 @@ Curve parametric(int type, const std::vector<double>& parameters) {
     return Curve(made(cmsBuildParametricToneCurve(nullptr, type, parameters.data())));
 }
 
-/// ((v + offset) / (1 + offset))^exponent from `knee` on, v / slope below.
-Curve power_and_toe(double exponent, double offset, double slope, double knee) {
-    return parametric(kPowerAndToe, {exponent, 1.0 / (1.0 + offset), offset / (1.0 + offset), 1.0 / slope, knee});
+/// (1 + (v - 1) / scale)^exponent from `knee` on, v / slope below.
+Curve power_and_toe(double exponent, double scale, double slope, double knee) {
+    return parametric(kPowerAndToe, {exponent, 1.0 / scale, (scale - 1.0) / scale, 1.0 / slope, knee});
 }
 
 // The decoding of each transfer function, whose own header says the same.
@@ -58,21 +58,24 @@ Curve curve_of(const LinearTransfer& /*transfer*/) { return parametric(kPower, {
 Curve curve_of(const GammaTransfer& transfer) { return parametric(kPower, {transfer.exponent}); }
 Curve curve_of(const AdobeRgbTransfer& /*transfer*/) { return curve_of(AdobeRgbTransfer::kPower); }
 Curve curve_of(const SrgbTransfer& /*transfer*/) {
-    return power_and_toe(2.4, 0.055, SrgbTransfer::kSlope, SrgbTransfer::kEncodedKnee);
+    return power_and_toe(SrgbTransfer::kExponent, SrgbTransfer::kScale, SrgbTransfer::kSlope,
+                         SrgbTransfer::kEncodedKnee);
 }
 Curve curve_of(const ProPhotoTransfer& /*transfer*/) {
-    return power_and_toe(1.8, 0.0, ProPhotoTransfer::kSlope, ProPhotoTransfer::kEncodedKnee);
+    return power_and_toe(ProPhotoTransfer::kExponent, 1.0, ProPhotoTransfer::kSlope, ProPhotoTransfer::kEncodedKnee);
 }
-Curve curve_of(const Bt709Transfer& /*transfer*/) {
-    return power_and_toe(1.0 / 0.45, 0.099, Bt709Transfer::kSlope, Bt709Transfer::kSlope * Bt709Transfer::kLinearKnee);
+/// Of a camera.
+template <class Transfer>
+Curve curve_of_camera() {
+    return power_and_toe(1.0 / Transfer::kExponent, Transfer::kScale, Transfer::kSlope,
+                         Transfer::kSlope * Transfer::kLinearKnee);
 }
-Curve curve_of(const Bt2020Transfer& /*transfer*/) {
-    return power_and_toe(1.0 / 0.45, 0.0993, Bt2020Transfer::kSlope,
-                         Bt2020Transfer::kSlope * Bt2020Transfer::kLinearKnee);
-}
+Curve curve_of(const Bt709Transfer& /*transfer*/) { return curve_of_camera<Bt709Transfer>(); }
+Curve curve_of(const Bt2020Transfer& /*transfer*/) { return curve_of_camera<Bt2020Transfer>(); }
 Curve curve_of(const Bt1886Transfer& transfer) {
-    const double black = encode(GammaTransfer{2.4}, transfer.black_cdm2 / transfer.white_cdm2);
-    return parametric(kPowerAboveOffset, {2.4, 1.0 - black, black});
+    constexpr double kExponent = Bt1886Transfer::kExponent;
+    const double black = encode(GammaTransfer{kExponent}, transfer.black_cdm2 / transfer.white_cdm2);
+    return parametric(kPowerAboveOffset, {kExponent, 1.0 - black, black});
 }
 template <class Hdr>
 Curve no_curve() {

@@ -31,7 +31,7 @@ std::optional<double> exponent_of(const AdobeRgbTransfer& /*transfer*/) noexcept
     return AdobeRgbTransfer::kPower.exponent;
 }
 std::optional<double> exponent_of(const Bt1886Transfer& transfer) noexcept {
-    return transfer.black_cdm2 == 0.0 ? std::optional(2.4) : std::nullopt;
+    return transfer.black_cdm2 == 0.0 ? std::optional(Bt1886Transfer::kExponent) : std::nullopt;
 }
 template <class Transfer>
 std::optional<double> exponent_of(const Transfer& /*transfer*/) noexcept {

@@ -8,7 +8,7 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kExponent = 2.4;
+constexpr double kExponent = Bt1886Transfer::kExponent;
 
 /// Luminance of black over that of white, encoded by the bare power. With it the standard's a and b cancel down to
 /// a / white = (1 - black)^2.4 and b = black / (1 - black).

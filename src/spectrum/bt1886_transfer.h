@@ -16,8 +16,9 @@ namespace emulsion {
 struct Bt1886Transfer {
     static constexpr std::string_view kName = "bt1886";
     static constexpr std::string_view kHelp = "display curve of BT.1886, a power of 2.4 above its black";
-    double black_cdm2 = 0.0;    ///< in [0, 5]
-    double white_cdm2 = 100.0;  ///< in [10, 10000]
+    static constexpr double kExponent = 2.4;  ///< of decoding
+    double black_cdm2 = 0.0;                  ///< in [0, 5]
+    double white_cdm2 = 100.0;                ///< in [10, 10000]
     bool operator==(const Bt1886Transfer&) const = default;
 
     static constexpr std::array kParameters = {

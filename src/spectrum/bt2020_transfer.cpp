@@ -8,8 +8,8 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kScale = 1.0993;
-constexpr double kExponent = 0.45;
+constexpr double kScale = Bt2020Transfer::kScale;
+constexpr double kExponent = Bt2020Transfer::kExponent;
 
 }  // namespace
 

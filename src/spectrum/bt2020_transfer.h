@@ -15,6 +15,8 @@ struct Bt2020Transfer {
     static constexpr std::string_view kHelp = "camera curve of 12-bit BT.2020";
     static constexpr double kLinearKnee = 0.0181;  ///< the first value of the power piece
     static constexpr double kSlope = 4.5;
+    static constexpr double kScale = 1.0993;   ///< of the power piece
+    static constexpr double kExponent = 0.45;  ///< of encoding
     bool operator==(const Bt2020Transfer&) const = default;
 };
 

@@ -9,8 +9,8 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kScale = 1.099;
-constexpr double kExponent = 0.45;
+constexpr double kScale = Bt709Transfer::kScale;
+constexpr double kExponent = Bt709Transfer::kExponent;
 
 }  // namespace
 

@@ -16,6 +16,8 @@ struct Bt709Transfer {
     static constexpr std::string_view kHelp = "camera curve of BT.601, BT.709 and 10-bit BT.2020";
     static constexpr double kLinearKnee = 0.018;  ///< the first value of the power piece
     static constexpr double kSlope = 4.5;
+    static constexpr double kScale = 1.099;    ///< of the power piece
+    static constexpr double kExponent = 0.45;  ///< of encoding
     bool operator==(const Bt709Transfer&) const = default;
 };
 

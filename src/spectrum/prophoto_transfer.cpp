@@ -8,7 +8,7 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kExponent = 1.8;
+constexpr double kExponent = ProPhotoTransfer::kExponent;
 
 }  // namespace
 

@@ -14,6 +14,7 @@ struct ProPhotoTransfer {
     static constexpr double kLinearKnee = 1.0 / 512.0;  ///< the first value of the power piece
     static constexpr double kEncodedKnee = 1.0 / 32.0;
     static constexpr double kSlope = 16.0;
+    static constexpr double kExponent = 1.8;  ///< of decoding
     bool operator==(const ProPhotoTransfer&) const = default;
 };
 

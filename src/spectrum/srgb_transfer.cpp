@@ -8,9 +8,9 @@ namespace emulsion {
 
 namespace {
 
-constexpr double kScale = 1.055;
 constexpr double kOffset = 0.055;
-constexpr double kExponent = 2.4;
+constexpr double kScale = SrgbTransfer::kScale;
+constexpr double kExponent = SrgbTransfer::kExponent;
 
 }  // namespace
 

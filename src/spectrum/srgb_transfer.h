@@ -15,6 +15,8 @@ struct SrgbTransfer {
     static constexpr double kLinearKnee = 0.0031308;  ///< the last value of the straight piece
     static constexpr double kEncodedKnee = 0.04045;
     static constexpr double kSlope = 12.92;
+    static constexpr double kScale = 1.055;   ///< of the power piece
+    static constexpr double kExponent = 2.4;  ///< of decoding
     bool operator==(const SrgbTransfer&) const = default;
 };
 

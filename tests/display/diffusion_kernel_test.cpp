@@ -106,7 +106,8 @@ double largest_error(const DiffusionKernel& kernel, int width, int height) {
 }
 
 // Errors that find no code drift to the right border: a part that is white there takes what comes from the left row by
-// row. Fewer than 0.12 codes a row, for all kernels; 32 bits hold so many rows of them (kMostRows of diffuse_rows.cpp).
+// row. Fewer than 0.12 codes a row, for all kernels; 32 bits hold so many rows of them (kMostErrorRows of
+// error_rows.h).
 TEST(DiffusionNeighbours, ErrorsGrowSlowly) {
     for (const DiffusionKernel& kernel : kKernels) {
         for (const int width : {8, 9, 16, 64}) {

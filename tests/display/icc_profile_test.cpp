@@ -1,6 +1,8 @@
 #include "display/icc_profile.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -87,6 +89,38 @@ TEST(IccProfile, LittleCmsMapsColoursAsWeDo) {
                                    << color.g << ' ' << color.b;
         }
     }
+}
+
+/// The numbers of a profile's parametric curve, in parts of 65536 (ICC.1:2010, 10.16).
+std::vector<long> curve_numbers(const TransferFunction& transfer) {
+    const std::string icc = icc_profile({rgb_space("sRGB"), transfer, FullRange{}});
+    const auto integer = [&](std::size_t at, std::size_t bytes) {
+        long value = 0;
+        for (std::size_t i = 0; i < bytes; ++i) value = 256 * value + static_cast<unsigned char>(icc.at(at + i));
+        return value;
+    };
+    const std::size_t curve = icc.find(std::string("para\0\0\0\0", 8));
+    constexpr std::array<std::size_t, 5> kCounts = {1, 3, 4, 5, 7};  // by the type of function
+    std::vector<long> numbers(kCounts.at(static_cast<std::size_t>(integer(curve + 8, 2))));
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = integer(curve + 12 + 4 * i, 4);
+    return numbers;
+}
+
+// The standards' constants, rounded to parts of 65536: a profile stays the same to the byte.
+TEST(IccProfile, CurvesHaveTheNumbersOfTheirStandards) {
+    const auto parts = [](const std::vector<double>& numbers) {
+        std::vector<long> rounded;
+        for (const double number : numbers) rounded.push_back(std::lround(number * 65536.0));
+        return rounded;
+    };
+    EXPECT_EQ(curve_numbers(SrgbTransfer{}), parts({2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045}));
+    EXPECT_EQ(curve_numbers(Bt709Transfer{}), parts({1 / 0.45, 1 / 1.099, 0.099 / 1.099, 1 / 4.5, 0.081}));
+    EXPECT_EQ(curve_numbers(Bt2020Transfer{}), parts({1 / 0.45, 1 / 1.0993, 0.0993 / 1.0993, 1 / 4.5, 0.08145}));
+    EXPECT_EQ(curve_numbers(ProPhotoTransfer{}), parts({1.8, 1.0, 0.0, 1 / 16.0, 1 / 32.0}));
+    EXPECT_EQ(curve_numbers(AdobeRgbTransfer{}), parts({563 / 256.0}));
+    EXPECT_EQ(curve_numbers(Bt1886Transfer{}), parts({2.4, 1.0, 0.0}));
+    const double black = std::pow(0.5 / 120, 1 / 2.4);
+    EXPECT_EQ(curve_numbers(Bt1886Transfer{0.5, 120.0}), parts({2.4, 1.0 - black, black}));
 }
 
 TEST(IccProfile, SaysWhatItIs) {
