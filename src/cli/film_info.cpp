@@ -113,12 +113,14 @@ void report_run(const FilmMetadata& metadata, InfoReport& report) {
     report.line("film", metadata.film);
     report.line("seed", std::to_string(metadata.seed));
     if (!metadata.model.empty()) report.line("model", metadata.model);
+    if (!metadata.pixels.empty()) report.line("pixels", metadata.pixels);
     report.line("renderer", metadata.renderer_version);
     report.line("command line", metadata.command_line);
     report.member_text("filter", metadata.filter);
     report.member_text("film", metadata.film);
     report.member("seed", std::to_string(metadata.seed));
     report.member_text("model", metadata.model);
+    report.member_text("pixels", metadata.pixels);
     report.member_text("renderer", metadata.renderer_version);
     report.member_text("command_line", metadata.command_line);
 }

@@ -23,6 +23,7 @@ void for_each_metadata_field(Metadata& metadata, const F& field) {
     field("emulsion.rendererVersion", metadata.renderer_version);
     field("emulsion.commandLine", metadata.command_line);
     field("emulsion.model", metadata.model);
+    field("emulsion.pixels", metadata.pixels);
     field("emulsion.filter", metadata.filter);
     field("emulsion.film", metadata.film);
     field("emulsion.fireflyControl", metadata.firefly_control);
