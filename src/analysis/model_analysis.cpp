@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "analysis/wavelength_noise.h"
-#include "core/parallel.h"
+#include "core/nearest_rank.h"
 #include "pathtracer/render.h"
 #include "pathtracer/sample_sequence.h"
 #include "pathtracer/spectrum_nodes.h"
@@ -57,14 +57,6 @@ SeenPilot seen(const Pilot& pilot) {
     return result;
 }
 
-/// The least value that 99 in 100 don't exceed.
-double percentile_99(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(values.size()))) - 1;
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-    return values[rank];
-}
-
 void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part, ModelPrediction& prediction) {
     std::vector<double> errors;
     double sum = 0.0;
@@ -74,7 +66,7 @@ void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part,
         sum += errors.back();
     }
     prediction.mean = sum / static_cast<double>(errors.size());
-    prediction.p99 = percentile_99(std::move(errors));
+    prediction.p99 = nearest_rank(errors, 99);
 }
 
 /// How noisy pixels are at the time that rgb takes for the scene's samples; of some pixels, evenly spread.
@@ -135,7 +127,7 @@ void note_dispersion(const Pilot& pilot, ModelAnalysis& analysis) {
         shares.push_back(whole > 0.0 ? 1.0 - kept / whole : 0.0);
     }
     analysis.dispersed_share = control > 0.0 ? 1.0 - marked / control : 0.0;
-    analysis.disperses = analysis.dispersed_share > kDispersionSeen || percentile_99(shares) > kDispersionSeen;
+    analysis.disperses = analysis.dispersed_share > kDispersionSeen || nearest_rank(shares, 99) > kDispersionSeen;
 }
 
 std::string in_short(const ModelPrediction& p) {
@@ -143,13 +135,6 @@ std::string in_short(const ModelPrediction& p) {
 }
 
 }  // namespace
-
-void validate(const ErrorBudget& budget) {
-    for (const auto& [name, value] : {std::pair("mean", budget.mean), std::pair("p99", budget.p99)}) {
-        if (std::isfinite(value) && value >= 0.0) continue;
-        throw std::invalid_argument(fmt::format("error budget: {} = {}: must be finite and at least 0", name, value));
-    }
-}
 
 double relative_cost(const TransportModel& model) {
     if (const auto* basis = std::get_if<BasisModel>(&model)) {
@@ -193,8 +178,8 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
         ModelPrediction& prediction = add(channel_models()[i]);
         predict_error(pilot, exact, i, prediction);
         prediction.noise = noise_of(prediction);
-        prediction.good_enough = prediction.mean <= budget.mean && prediction.p99 <= budget.p99 &&
-                                 !analysis.disperses && analysis.only_spectral.empty();
+        prediction.good_enough =
+            is_within(prediction.mean, prediction.p99, budget) && !analysis.disperses && analysis.only_spectral.empty();
     }
     for (const TransportModel& model : spectral_models()) {
         scene.prepare_for(model);

@@ -18,18 +18,9 @@
 #include "analysis/pilot.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/transport_model.h"
+#include "spectrum/error_budget.h"
 
 namespace emulsion {
-
-/// The colour error that a render may have, CIEDE2000.
-struct ErrorBudget {
-    double mean = 1.0;  ///< over pixels; finite, >= 0
-    double p99 = 3.0;   ///< that 99 in 100 pixels don't exceed; finite, >= 0
-    bool operator==(const ErrorBudget&) const = default;
-};
-
-/// \throws std::invalid_argument naming the field, its value and its range.
-void validate(const ErrorBudget& budget);
 
 struct ModelPrediction {
     TransportModel model;

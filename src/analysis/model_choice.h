@@ -10,15 +10,14 @@ namespace emulsion {
 
 /// The cheapest model whose predicted error is within the budget.
 struct AutoModel {
-    static constexpr std::string_view kName = "auto";
     ErrorBudget budget;
     bool operator==(const AutoModel&) const = default;
 };
 
 using ModelChoice = std::variant<TransportModel, AutoModel>;
 
-/// A model as parse_transport_model() reads it, or "auto[:MEAN[,P99]]": the budget in CIEDE2000; P99 is three times
-/// MEAN unless it is given. \throws std::invalid_argument naming what was found and what was expected.
+/// A model as parse_transport_model() reads it, or "auto[:MEAN[,P99]]" as parse_auto() does. \throws
+/// std::invalid_argument naming what was found and what was expected.
 [[nodiscard]] ModelChoice parse_model_choice(std::string_view text);
 
 }  // namespace emulsion

@@ -14,6 +14,7 @@
 #include "cli/messages.h"
 #include "cli/picture_output.h"
 #include "cli/pipeline_options.h"
+#include "cli/precision_option.h"
 #include "cli/tone_reports.h"
 #include "core/atomic_file.h"
 #include "develop/develop.h"
@@ -95,7 +96,9 @@ int DevelopCommand::run() const {
     ScenePicture picture = read_picture(options.picture, options.threads);
     for (const std::string& note : picture.notes) print_warning(options.picture.string() + ": " + note);
 
-    write_outputs(options, std::move(picture.xyz));
+    DevelopSettings settings = options;
+    resolve_precision(picture.xyz, settings);
+    write_outputs(settings, std::move(picture.xyz));
     if (options.quiet) return kDone;
     for (const NamedFile& file : outputs) print_output(fmt::format("wrote {}\n", file.path.string()));
     return kDone;

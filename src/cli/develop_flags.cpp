@@ -10,6 +10,7 @@
 #include "cli/option_checks.h"
 #include "cli/picture_output.h"
 #include "cli/pipeline_options.h"
+#include "cli/precision_option.h"
 
 // The flags of `emulsion develop`, by what they are about.
 
@@ -104,6 +105,9 @@ void check_settings(const CLI::App& command, const DevelopSettings& settings) {
     } else {
         check_together(settings.pipeline);
     }
+    if (settings.auto_precision && (settings.show_pipeline || !writes_png)) {
+        throw CLI::ValidationError("--precision", "found auto without a PNG to write, expected fast or reference");
+    }
     if (settings.show_pipeline) return;
     if (settings.picture.empty()) throw CLI::ValidationError("PICTURE", "found none, expected a file");
     if (outputs.empty()) {
@@ -124,6 +128,7 @@ void add_develop_options(CLI::App& command, DevelopSettings& settings) {
     add_threads_option(command, settings.threads);
     command.add_flag("--quiet", settings.quiet, "No summary; warnings and errors only [default: a line]");
     add_pipeline_options(command, settings.pipeline);
+    add_precision_option(command, settings);
     add_display_options(command, settings.pipeline);
     command.add_flag("--show-pipeline", settings.show_pipeline,
                      "Print the text of all stages with all their parameters, as --pipeline takes it, and end");

@@ -2,12 +2,14 @@
 // What `emulsion develop` is told on its command line.
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "cli/distinct_files.h"
 #include "develop/pipeline.h"
 #include "display/png_compression.h"
 #include "display/separation.h"
+#include "spectrum/error_budget.h"
 
 namespace CLI {
 class App;
@@ -21,6 +23,7 @@ struct DevelopSettings {
     int threads = 0, png_level = kDefaultPngLevel;
     bool quiet = false, list_tonemaps = false, list_adaptations = false, show_pipeline = false;
     Pipeline pipeline;
+    std::optional<ErrorBudget> auto_precision;  ///< of the fast way, where the picture is to choose
     BlackGeneration black;
 };
 

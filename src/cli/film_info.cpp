@@ -114,6 +114,7 @@ void report_run(const FilmMetadata& metadata, InfoReport& report) {
     report.line("seed", std::to_string(metadata.seed));
     if (!metadata.model.empty()) report.line("model", metadata.model);
     if (!metadata.sampling.empty()) report.line("sampling", metadata.sampling);
+    if (!metadata.pixels.empty()) report.line("pixels", metadata.pixels);
     report.line("renderer", metadata.renderer_version);
     report.line("command line", metadata.command_line);
     report.member_text("filter", metadata.filter);
@@ -121,6 +122,7 @@ void report_run(const FilmMetadata& metadata, InfoReport& report) {
     report.member("seed", std::to_string(metadata.seed));
     report.member_text("model", metadata.model);
     report.member_text("sampling", metadata.sampling);
+    report.member_text("pixels", metadata.pixels);
     report.member_text("renderer", metadata.renderer_version);
     report.member_text("command_line", metadata.command_line);
 }

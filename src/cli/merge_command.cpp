@@ -113,7 +113,7 @@ int MergeCommand::run(const std::string& command_line) const {
     state.metadata.command_line = command_line;
     warn_of_losses(state.contents);
     const ExrOptions exr = exr_options(options.exr, PixelType::float32, options.threads);
-    const Image<XYZ> picture = write_film(options.output, state, exr);
+    const Image<XYZ> picture = write_film(options.output, state, exr, auto_pixels(options.exr, options.quiet));
     if (!options.png.empty()) {
         const DevelopResult developed = develop_to_png(picture, options.pipeline, options.threads, options.png);
         if (!options.quiet) report_gamut(developed, options.pipeline);

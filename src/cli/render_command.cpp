@@ -183,7 +183,8 @@ int RenderCommand::run(const std::string& command_line) const {
     // The state first: from then on the pictures can be had again. The PNG is made from what the EXR holds, so that
     // `develop` makes the same one.
     if (!files.state.empty()) write_state();
-    const Image<XYZ> picture = write_film(files.output, in_progress, run, exr);
+    const Image<XYZ> picture =
+        write_film(files.output, in_progress, run, exr, auto_pixels(settings.exr, settings.quiet));
     if (!files.png.empty()) {
         const DevelopResult developed = develop_to_png(picture, settings.pipeline, options.threads, files.png);
         if (!settings.quiet) report_gamut(developed, settings.pipeline);

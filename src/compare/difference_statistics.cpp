@@ -1,23 +1,11 @@
 #include "compare/difference_statistics.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
+#include "core/nearest_rank.h"
+
 namespace emulsion {
-
-namespace {
-
-/// By nearest rank; the values, at least one, change places.
-double percentile(std::vector<double>& values, int percent) {
-    const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
-
-}  // namespace
 
 DifferenceStatistics difference_statistics(ImageView<const double> differences) {
     DifferenceStatistics statistics;
@@ -40,8 +28,8 @@ DifferenceStatistics difference_statistics(ImageView<const double> differences) 
     if (values.empty()) return statistics;
     statistics.pixels = static_cast<std::int64_t>(values.size());
     statistics.mean = sum / static_cast<double>(values.size());
-    statistics.p50 = percentile(values, 50);
-    statistics.p99 = percentile(values, 99);
+    statistics.p50 = nearest_rank(values, 50);
+    statistics.p99 = nearest_rank(values, 99);
     return statistics;
 }
 

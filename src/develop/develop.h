@@ -28,8 +28,9 @@ struct DevelopResult {
 /// Every pixel comes out defined: see tone_map() for bad ones. The same result for every number of threads (0: all).
 /// The stages hand on what is in the processor's cache: besides the scene and the codes there is no picture in memory,
 /// unless bloom, vision, a local operator or Hilbert order need one.
-/// \param scene XYZ, Y in cd/m^2
-/// \throws std::invalid_argument if the picture is empty, the pipeline is not valid, or threads < 0.
+/// Under precision=reference the stages up to tone mapping are their twins in double precision, each on one thread,
+/// with their pictures in memory. \param scene XYZ, Y in cd/m^2 \throws std::invalid_argument if the picture is empty,
+/// the pipeline is not valid, or threads < 0.
 [[nodiscard]] DevelopResult develop(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
 
 /// The stages before tone mapping: bloom, then vision; scene-referred XYZ again. None if the pipeline has neither.
@@ -45,6 +46,10 @@ struct DevelopResult {
 /// \throws std::invalid_argument as develop(), and if the sizes differ.
 [[nodiscard]] PreparedToneMapping prepare_tone_mapping_as_other(const Pipeline& pipeline, ImageView<const XYZ> picture,
                                                                 ImageView<const XYZ> other, int threads);
+
+/// The stages up to tone mapping: display-relative XYZ, Y = 1 at display white.
+/// \throws std::invalid_argument as develop().
+[[nodiscard]] Image<XYZ> tone_mapped(const Image<XYZ>& scene, const Pipeline& pipeline, int threads);
 
 /// The stages after tone mapping, for pictures that are tone-mapped already: display-relative XYZ, Y = 1 at display
 /// white. The report's luminance is left empty. \throws std::invalid_argument as develop().

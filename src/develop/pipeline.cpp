@@ -19,6 +19,7 @@ void for_each_stage(AnyPipeline& pipeline, Visitor&& visitor) {
     visitor("vision", pipeline.vision);
     visitor("tonemap", pipeline.tone_mapper);
     visitor("adaptation", pipeline.adaptation);
+    visitor("precision", pipeline.precision);
     visitor("scene-white", pipeline.scene_white);
     visitor("display", pipeline.display);
     visitor("gamut", pipeline.gamut);

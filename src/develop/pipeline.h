@@ -12,6 +12,7 @@
 #include "display/scene_white.h"
 #include "spectrum/transfer_function.h"
 #include "tonemap/bloom.h"
+#include "tonemap/precision.h"
 #include "tonemap/tone_mapper.h"
 #include "tonemap/vision.h"
 
@@ -21,14 +22,15 @@ namespace emulsion {
 inline constexpr std::string_view kOwnStage = "own";
 
 /// The stages, in their order. Text form, one key=value for each, separated by spaces:
-///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none
-///     display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
+///     bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own precision=fast
+///     scene-white=none display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full
 ///     dither=blue-noise:size=128
 struct Pipeline {
     Bloom bloom = NoBloom{};                    ///< "bloom"
     Vision vision = NoVision{};                 ///< "vision"
     ToneMapper tone_mapper = ReinhardGlobal{};  ///< "tonemap"
     std::optional<Adaptation> adaptation = {};  ///< "adaptation" luminance; none, "own": what the operator would take
+    Precision precision = FastPrecision{};      ///< "precision" of the stages up to here
     SceneWhite scene_white = AsItIs{};          ///< "scene-white", adapted to the display's
     Display display = SrgbDisplay{};            ///< "display"
     GamutMapper gamut = GamutClip{};            ///< "gamut"

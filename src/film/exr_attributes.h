@@ -24,6 +24,7 @@ void for_each_metadata_field(Metadata& metadata, const F& field) {
     field("emulsion.commandLine", metadata.command_line);
     field("emulsion.model", metadata.model);
     field("emulsion.sampling", metadata.sampling);
+    field("emulsion.pixels", metadata.pixels);
     field("emulsion.filter", metadata.filter);
     field("emulsion.film", metadata.film);
     field("emulsion.fireflyControl", metadata.firefly_control);

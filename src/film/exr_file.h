@@ -44,6 +44,7 @@ struct FilmMetadata {
     std::string command_line = {};      ///< "emulsion.commandLine"
     std::string model = {};             ///< how light was carried, and why so; "emulsion.model"
     std::string sampling = {};          ///< FilmProvenance::sampling; empty: unknown; "emulsion.sampling"
+    std::string pixels = {};            ///< half or float, and why so; empty: as asked for; "emulsion.pixels"
     std::string filter = {};            ///< "mitchell:..."; "emulsion.filter"
     std::string film = {};              ///< the film's other options; "emulsion.film"
     /// What was done against fireflies, and its measured bias; empty: nothing. "emulsion.fireflyControl"

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "core/row_blocks.h"
 #include "tonemap/scale_pixels.h"
+#include "tonemap/single_precision.h"
 
 namespace emulsion {
 
@@ -21,12 +23,44 @@ void check(const ToneMapping& mapping, ImageView<const XYZ> scene) {
     throw std::invalid_argument("scene size " + size_text(scene.width(), scene.height()) + ": both must be at least 1");
 }
 
+void check_other(ImageView<const XYZ> other, ImageView<const XYZ> scene) {
+    if (other.width() == scene.width() && other.height() == scene.height()) return;
+    throw std::invalid_argument("other size " + size_text(other.width(), other.height()) + ": must be " +
+                                size_text(scene.width(), scene.height()) + ", as the scene's");
+}
+
 Adaptation chosen_adaptation(const ToneMapping& mapping) {
     return mapping.adaptation ? *mapping.adaptation : own_adaptation(mapping.mapper);
 }
 
 /// Of a picture without positive pixels.
 constexpr auto kBlack = [](double) { return 0.0; };
+
+XYZd widened(const XYZ& xyz) noexcept { return {xyz.x, xyz.y, xyz.z}; }
+
+Image<XYZd> black_reference(ImageView<const XYZ> scene, const XYZd& display_white) {
+    Image<XYZd> display(scene.width(), scene.height());
+    for (int y = 0; y < scene.height(); ++y) {
+        for (int x = 0; x < scene.width(); ++x) display(x, y) = scaled_pixel(scene(x, y), display_white, kBlack);
+    }
+    return display;
+}
+
+/// \param least_cdm2 that a pixel's own adaptation may be
+Image<XYZd> mapped_reference(const ToneReproduction& reproduction, const BasicAdaptationLuminance<double>& adaptation,
+                             ImageView<const XYZ> scene, double least_cdm2, const XYZd& display_white) {
+    Image<XYZd> display(scene.width(), scene.height());
+    const bool is_local = adaptation.local.width() > 0;
+    const double uniform = adaptation.uniform_cdm2;
+    for (int y = 0; y < scene.height(); ++y) {
+        for (int x = 0; x < scene.width(); ++x) {
+            const double here = is_local ? std::max(adaptation.local(x, y) * uniform, least_cdm2) : uniform;
+            const auto scale = [&](double luminance_cdm2) { return reproduction.scale(luminance_cdm2, here); };
+            display(x, y) = scaled_pixel(scene(x, y), display_white, scale);
+        }
+    }
+    return display;
+}
 
 }  // namespace
 
@@ -65,10 +99,7 @@ PreparedToneMapping::PreparedToneMapping(const ToneMapping& mapping, ImageView<c
 PreparedToneMapping PreparedToneMapping::as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
                                                   ImageView<const XYZ> other, const XYZ& display_white, int threads) {
     check(mapping, scene);
-    if (other.width() != scene.width() || other.height() != scene.height()) {
-        throw std::invalid_argument("other size " + size_text(other.width(), other.height()) + ": must be " +
-                                    size_text(scene.width(), scene.height()) + ", as the scene's");
-    }
+    check_other(other, scene);
     const SceneLuminance other_luminance(other, threads);
     if (other_luminance.statistics().counts.positive == 0) return {mapping, scene, display_white, threads};
 
@@ -85,6 +116,28 @@ PreparedToneMapping PreparedToneMapping::as_other(const ToneMapping& mapping, Im
     if (is_local(adaptation)) adapted = adapt(adaptation, scene, luminance, threads);
     prepared.map_ = reproduce(reproduction, prepared.statistics_, std::move(adapted), display_white, threads);
     return prepared;
+}
+
+PreparedToneMapping PreparedToneMapping::reference(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                   const XYZ& display_white) {
+    PreparedToneMapping prepared(scene);
+    prepared.hold(tone_map_reference(mapping, scene, widened(display_white)));
+    return prepared;
+}
+
+PreparedToneMapping PreparedToneMapping::reference_as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                            ImageView<const XYZ> other, const XYZ& display_white) {
+    PreparedToneMapping prepared(scene);
+    prepared.hold(tone_map_reference_as_other(mapping, scene, other, widened(display_white)));
+    return prepared;
+}
+
+void PreparedToneMapping::hold(const Image<XYZd>& display) {
+    statistics_ = luminance_statistics_reference(scene_);
+    const auto held = std::make_shared<const Image<XYZ>>(in_single_precision(display));
+    map_ = [held](int y, int x0, std::span<const XYZ> /*scene*/, std::span<XYZ> pixels) {
+        std::ranges::copy(held->row(y).subspan(static_cast<std::size_t>(x0), pixels.size()), pixels.begin());
+    };
 }
 
 void PreparedToneMapping::map_to_black(const XYZ& display_white) {
@@ -138,27 +191,25 @@ std::vector<CurvePoint> tone_curve(const ToneMapping& mapping, ImageView<const X
 Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene, const XYZd& display_white) {
     check(mapping, scene);
     const SceneLuminance luminance(scene, luminance_statistics_reference(scene), 1);
-    Image<XYZd> display(scene.width(), scene.height());
-    const bool is_black = luminance.statistics().counts.positive == 0;
-    const double least = luminance.statistics().min_positive_cdm2;
-    BasicAdaptationLuminance<double> adaptation;
-    if (!is_black) adaptation = adapt_reference(chosen_adaptation(mapping), scene, luminance);
-    ToneReproduction reproduction;
-    if (!is_black) reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
-    for (int y = 0; y < scene.height(); ++y) {
-        for (int x = 0; x < scene.width(); ++x) {
-            if (is_black) {
-                display(x, y) = scaled_pixel(scene(x, y), display_white, kBlack);
-                continue;
-            }
-            const bool is_local = adaptation.local.width() > 0;
-            const double uniform = adaptation.uniform_cdm2;
-            const double here = is_local ? std::max(adaptation.local(x, y) * uniform, least) : uniform;
-            const auto scale = [&](double luminance_cdm2) { return reproduction.scale(luminance_cdm2, here); };
-            display(x, y) = scaled_pixel(scene(x, y), display_white, scale);
-        }
-    }
-    return display;
+    if (luminance.statistics().counts.positive == 0) return black_reference(scene, display_white);
+    const auto adaptation = adapt_reference(chosen_adaptation(mapping), scene, luminance);
+    const ToneReproduction reproduction = prepare(mapping.mapper, luminance, adaptation.uniform_cdm2);
+    return mapped_reference(reproduction, adaptation, scene, luminance.statistics().min_positive_cdm2, display_white);
+}
+
+Image<XYZd> tone_map_reference_as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                        ImageView<const XYZ> other, const XYZd& display_white) {
+    check(mapping, scene);
+    check_other(other, scene);
+    const SceneLuminance other_luminance(other, luminance_statistics_reference(other), 1);
+    if (other_luminance.statistics().counts.positive == 0) return tone_map_reference(mapping, scene, display_white);
+    const SceneLuminance luminance(scene, luminance_statistics_reference(scene), 1);
+    if (luminance.statistics().counts.positive == 0) return black_reference(scene, display_white);
+    const Adaptation chosen = chosen_adaptation(mapping);
+    auto adaptation = adapt_reference(chosen, other, other_luminance);
+    const ToneReproduction reproduction = prepare(mapping.mapper, other_luminance, adaptation.uniform_cdm2);
+    if (is_local(chosen)) adaptation = adapt_reference(chosen, scene, luminance);
+    return mapped_reference(reproduction, adaptation, scene, luminance.statistics().min_positive_cdm2, display_white);
 }
 
 }  // namespace emulsion

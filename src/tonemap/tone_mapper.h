@@ -87,6 +87,13 @@ class PreparedToneMapping {
                                                       ImageView<const XYZ> other, const XYZ& display_white,
                                                       int threads);
 
+    /// The twins of the two, tone_map_reference() and tone_map_reference_as_other(), rounded to single precision. All
+    /// pixels are mapped here and now, on one thread, and held in memory. \throws std::invalid_argument likewise.
+    [[nodiscard]] static PreparedToneMapping reference(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                       const XYZ& display_white);
+    [[nodiscard]] static PreparedToneMapping reference_as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                                ImageView<const XYZ> other, const XYZ& display_white);
+
     [[nodiscard]] const LuminanceStatistics& statistics() const noexcept { return statistics_; }
 
     /// Writes pixels of row y from column x0 on, as many as `display` takes. May be called on several threads at once.
@@ -97,6 +104,7 @@ class PreparedToneMapping {
   private:
     explicit PreparedToneMapping(ImageView<const XYZ> scene) : scene_(scene) {}
     void map_to_black(const XYZ& display_white);
+    void hold(const Image<XYZd>& display);
 
     ImageView<const XYZ> scene_;
     LuminanceStatistics statistics_;
@@ -126,5 +134,9 @@ struct CurvePoint {
 /// Between a picture and the same turned or mirrored it is at most 0.01.
 [[nodiscard]] Image<XYZd> tone_map_reference(const ToneMapping& mapping, ImageView<const XYZ> scene,
                                              const XYZd& display_white);
+
+/// The twin of PreparedToneMapping::as_other(). \throws std::invalid_argument as that.
+[[nodiscard]] Image<XYZd> tone_map_reference_as_other(const ToneMapping& mapping, ImageView<const XYZ> scene,
+                                                      ImageView<const XYZ> other, const XYZd& display_white);
 
 }  // namespace emulsion

@@ -109,6 +109,7 @@ Pipeline random_pipeline(Pcg32& random) {
     pipeline.vision = random_value<Vision>(random);
     pipeline.tone_mapper = random_value<ToneMapper>(random);
     if (random.next() % 2 == 0) pipeline.adaptation = random_value<Adaptation>(random);
+    pipeline.precision = random_value<Precision>(random);
     pipeline.scene_white = random_white(random);
     pipeline.display = random_display(random);
     pipeline.gamut = random_value<GamutMapper>(random);
@@ -130,7 +131,8 @@ std::string message_of(std::string_view text) {
 
 TEST(Pipeline, TextOfTheDefault) {
     EXPECT_EQ(to_text(Pipeline{}),
-              "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own scene-white=none "
+              "bloom=none vision=none tonemap=reinhard-global:key=0.18,white=inf adaptation=own precision=fast "
+              "scene-white=none "
               "display=srgb:peak=80,black=0,flare=0 gamut=clip transfer=own bits=8 range=full "
               "dither=blue-noise:size=128");
 }
@@ -189,7 +191,7 @@ TEST(Pipeline, StagesBeforeToneMappingReadBackAsTheSameValue) {
 TEST(Pipeline, WrongTextsNameWhatIsRight) {
     EXPECT_EQ(message_of("tonemapper=max-to-white"),
               "pipeline stage \"tonemapper\": unknown; expected tonemap, transfer, range, dither, bloom, adaptation, "
-              "scene-white, display, gamut, vision or bits");
+              "precision, scene-white, display, gamut, vision or bits");
     EXPECT_THAT(message_of("tonemap=max-to-whit"),
                 HasSubstr("tonemap \"max-to-whit\": unknown; expected max-to-white, "));
     EXPECT_EQ(message_of("tonemap=reinhard-global:key=-1"),

@@ -52,7 +52,9 @@ inline FilmMetadata metadata() {
             .seed = 0xfedcba9876543210u,
             .renderer_version = "0.1.0 (test)",
             .command_line = "emulsion render \"a b.pbrt\" --spp 64",
+            .model = "spectral:4",
             .sampling = "padded-sobol seed=3",
+            .pixels = "half: dE00 0.01 mean",
             .filter = "mitchell:radius=2,b=0.3333333,c=0.3333333",
             .film = "sensor=cie-1931",
             .firefly_control = "luminance clamped at 1000 cd/m^2; bias -0.3 %"};
