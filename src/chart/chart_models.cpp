@@ -142,6 +142,7 @@ class ModelsOfScene {
     AutoChoice choose(const Scene& scene) {
         PreparedScene prepared(scene, threads_);
         std::vector<double> seconds;
+        seconds.reserve(static_cast<std::size_t>(sizes_.rounds));
         TransportModel chosen;
         for (int round = 0; round < sizes_.rounds; ++round) {
             seconds.push_back(thread_seconds([&] {
