@@ -34,12 +34,13 @@ struct Sizes {
     int samples;            ///< at equal samples, per pixel
     int reference_samples;  ///< of each half of the reference
     int timed_samples;
-    int rounds;  ///< of time, and of seeds of the pictures whose errors are compared
+    int timed_rounds;
+    int rounds;  ///< seeds of the pictures whose errors are compared
 };
 
 Sizes sizes_of(const ChartOptions& options) {
-    if (options.effort == ChartEffort::quick) return {32, 32, 512, 4, 2};
-    return {80, 128, 4096, 16, 3};
+    if (options.effort == ChartEffort::quick) return {32, 32, 512, 4, 2, 2};
+    return {80, 128, 4096, 8, 15, 3};
 }
 
 std::vector<TransportModel> models(const ChartOptions& options) {
@@ -222,7 +223,7 @@ class ModelsOfScene {
                 [&] { keep(half(model, sizes_.timed_samples, static_cast<std::uint64_t>(round), 1)); });
         };
         std::vector<std::vector<double>> ratios(models_.size()), all_seconds(models_.size());
-        for (int round = 0; round < sizes_.rounds; ++round) {
+        for (int round = 0; round < sizes_.timed_rounds; ++round) {
             for (std::size_t i = 0; i < models_.size(); ++i) {
                 const double baseline_s = seconds(RgbModel{}, round), own_s = seconds(models_[i], round);
                 ratios[i].push_back(own_s / baseline_s);
