@@ -5,12 +5,14 @@
 
 #include <malloc.h>
 
-#include "mesh_scene.h"
 #include "pathtracer/embree.h"
+#include "pathtracer/landscape_scene.h"
 #include "scene_bench.h"
 
 namespace emulsion::bench {
 namespace {
+
+constexpr int kSide_px = 512;
 
 /// A line of /proc/self/status, e.g. VmHWM: the most memory that was resident since forget_peak().
 double resident_bytes(const std::string& line) {
@@ -69,7 +71,7 @@ void memory_of_render(benchmark::State& state) {
     for (auto _ : state) {
         forget_peak();
         const double before = resident_bytes("VmRSS");
-        SceneBench scene(landscape_scene(state.range(0)));
+        SceneBench scene(landscape_scene(state.range(0), kSide_px));
         benchmark::DoNotOptimize(scene.render_once({.samples_per_pixel = 1, .seed = 1}));
         const double peak = resident_bytes("VmHWM") - before;
 

@@ -103,6 +103,21 @@ double outside(const PixelBox& box, const PixelBox& frame) {
            std::max(frame.top - box.top, 0.0) + std::max(box.bottom - frame.bottom, 0.0);
 }
 
+bool is_same_place(const ChartPoint& a, const ChartPoint& b) {
+    return a.x.median == b.x.median && a.y.median == b.y.median;
+}
+
+/// Of two points in one place one label is enough if it ends with the other: "auto: basis:4" tells that basis:4 is
+/// there.
+bool is_told_by_another(const ChartPanel& panel, std::size_t i) {
+    for (std::size_t j = i + 1; j < panel.points.size(); ++j) {
+        const ChartPoint &point = panel.points[i], &other = panel.points[j];
+        if (is_same_place(point, other) && other.label.ends_with(point.label) && is_around_another(panel, j))
+            return true;
+    }
+    return false;
+}
+
 /// Each label on that side of its point where it covers least of what is there already.
 void place_labels(const ChartPanel& panel, PanelLayout& layout) {
     std::vector<PixelBox> taken;
@@ -116,7 +131,7 @@ void place_labels(const ChartPanel& panel, PanelLayout& layout) {
         taken.push_back({x - kSign_px, y - kSign_px, x + kSign_px, y + kSign_px});
     }
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
-        if (panel.points[i].label.empty()) continue;
+        if (panel.points[i].label.empty() || is_told_by_another(panel, i)) continue;
         PlacedLabel best;
         double least = std::numeric_limits<double>::infinity();
         for (const int shift_px : {0, -6, 6, -13, 13, -20, 20, -27, 27}) {
@@ -187,6 +202,14 @@ std::vector<std::string> series_of(const Chart& chart) {
 
 double drawn(const ChartAxis& axis, double value) noexcept {
     return axis.least_drawn == 0.0 ? value : std::max(value, axis.least_drawn);
+}
+
+bool is_around_another(const ChartPanel& panel, std::size_t point) {
+    if (panel.lines == SeriesLines::joined) return false;
+    const ChartPoint& own = panel.points[point];
+    return std::any_of(
+        panel.points.begin(), panel.points.begin() + static_cast<std::ptrdiff_t>(point),
+        [&](const ChartPoint& other) { return other.series != own.series && is_same_place(own, other); });
 }
 
 double share_of(const ChartAxis& axis, const AxisLayout& layout, double value) {

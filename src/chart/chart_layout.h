@@ -1,6 +1,7 @@
 #pragma once
 // Where the parts of a chart lie on its picture. In pixels from the upper left corner.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ struct ChartLayout {
 
 /// The coordinate that is drawn: at least the axis's least_drawn.
 [[nodiscard]] double drawn(const ChartAxis& axis, double value) noexcept;
+
+/// Whether a point lies at the very place of an earlier one of another series. It is drawn as a ring around that, which
+/// its sign would hide. Not where points are joined: their lines tell enough.
+[[nodiscard]] bool is_around_another(const ChartPanel& panel, std::size_t point);
 
 /// Where a value lies on its axis: 0 at `from`, 1 at `to`.
 [[nodiscard]] double share_of(const ChartAxis& axis, const AxisLayout& layout, double value);

@@ -1,4 +1,5 @@
-// Transport models on scenes: time and colour error, at equal samples and in equal time.
+// Transport models on scenes: time and colour error, at equal samples and in equal time. And which of them `auto`
+// takes.
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,14 @@
 
 #include <fmt/format.h>
 
+#include "analysis/model_analysis.h"
 #include "chart/charts.h"
 #include "chart/measure.h"
 #include "compare/compare.h"
 #include "film/film.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/render.h"
+#include "pathtracer/sample_sequence.h"
 #include "pathtracer/scene_parser.h"
 #include "pathtracer/transport_model.h"
 
@@ -31,12 +34,13 @@ struct Sizes {
     int samples;            ///< at equal samples, per pixel
     int reference_samples;  ///< of each half of the reference
     int timed_samples;
-    int rounds;  ///< of time, and of seeds of the pictures whose errors are compared
+    int timed_rounds;
+    int rounds;  ///< seeds of the pictures whose errors are compared
 };
 
 Sizes sizes_of(const ChartOptions& options) {
-    if (options.effort == ChartEffort::quick) return {32, 8, 128, 4, 2};
-    return {80, 128, 4096, 16, 3};
+    if (options.effort == ChartEffort::quick) return {32, 32, 512, 4, 2, 2};
+    return {80, 128, 4096, 8, 15, 3};
 }
 
 std::vector<TransportModel> models(const ChartOptions& options) {
@@ -79,12 +83,13 @@ std::string name_of(const std::filesystem::path& scene, const std::vector<std::f
 
 class ModelsOfScene {
   public:
-    ModelsOfScene(const std::filesystem::path& file, std::string name, const ChartOptions& options)
+    ModelsOfScene(const Scene& scene, std::string name, const ChartOptions& options)
         : name_(std::move(name)),
           threads_(options.threads),
           sizes_(sizes_of(options)),
           models_(models(options)),
-          scene_(resized(read_scene(file), sizes_), options.threads) {}
+          choice_(choose(scene)),
+          scene_(resized(scene, sizes_), options.threads) {}
 
     /// Two panels: at equal samples, and in equal time.
     std::array<ChartPanel, 2> measure() {
@@ -108,12 +113,52 @@ class ModelsOfScene {
             equal_time.x = exactly(samples);
             panels[1].points.push_back(std::move(equal_time));
         }
-        for (ChartPanel& panel : panels) mark_front(panel);
+        const FilmSettings& film = scene_.scene().film;
+        const double rgb_s_per_sample =
+            times[0].seconds / sizes_.timed_samples / (static_cast<double>(film.width_px) * film.height_px);
+        for (ChartPanel& panel : panels) {
+            mark_front(panel);
+            ChartPoint chosen = panel.points[choice_.model];
+            chosen.series = "auto";
+            chosen.label = "auto: " + chosen.label;
+            chosen.details.emplace_back("seconds of analysis", choice_.seconds);
+            chosen.details.emplace_back("analysis / rendering the file by rgb",
+                                        choice_.seconds / (choice_.samples * rgb_s_per_sample));
+            panel.points.push_back(std::move(chosen));
+        }
         return panels;
     }
 
   private:
     static constexpr std::uint64_t kReferenceSeed = 1000;
+
+    /// What `--model auto` renders a file by.
+    struct AutoChoice {
+        std::size_t model = 0;  ///< of models_
+        double seconds = 0.0;   ///< that the analysis takes, on one thread
+        double samples = 0.0;   ///< of all pixels, as the file asks for them
+    };
+
+    /// By the default budget, of the picture in its own size. Its model is measured even if it is none of the chart's.
+    AutoChoice choose(const Scene& scene) {
+        PreparedScene prepared(scene, threads_);
+        std::vector<double> seconds;
+        seconds.reserve(static_cast<std::size_t>(sizes_.rounds));
+        TransportModel chosen;
+        for (int round = 0; round < sizes_.rounds; ++round) {
+            seconds.push_back(thread_seconds([&] {
+                const ModelAnalysis analysis = analyse_models(prepared, {}, {.threads = 1});
+                chosen = analysis.models[analysis.chosen].model;
+            }));
+        }
+        const auto found = std::find(models_.begin(), models_.end(), chosen);
+        const PixelBounds window = bounds_of(emulsion::film_options(scene));
+        const double pixels = static_cast<double>(window.x1 - window.x0) * (window.y1 - window.y0);
+        const AutoChoice choice{static_cast<std::size_t>(found - models_.begin()), spread_of(seconds).median,
+                                pixels * samples_per_pixel(scene.sampler)};
+        if (found == models_.end()) models_.push_back(chosen);
+        return choice;
+    }
 
     static Scene resized(Scene scene, const Sizes& sizes) {
         FilmSettings& film = scene.film;
@@ -148,19 +193,25 @@ class ModelsOfScene {
     }
 
     ChartPoint point_of(const TransportModel& model, int samples, const ComparedPicture& reference) {
-        std::vector<double> means, p99, bias;
+        std::vector<double> means, p99, bias, bias_error;
         for (int round = 0; round < sizes_.rounds; ++round) {
             const Comparison comparison =
                 compare(reference, picture(model, samples, static_cast<std::uint64_t>(round)), {.threads = threads_});
             means.push_back(comparison.ciede2000.mean);
             p99.push_back(comparison.ciede2000.p99);
-            if (comparison.squared.parts) bias.push_back(comparison.squared.parts->bias_share());
+            if (const auto& parts = comparison.squared.parts) {
+                bias.push_back(parts->bias_share());
+                bias_error.push_back(parts->bias_share_standard_error());
+            }
         }
         ChartPoint point{.series = std::string(std::visit([](const auto& chosen) { return chosen.kName; }, model)),
                          .label = label_of(model),
                          .y = spread_of(means),
                          .details = {{"samples", samples}, {"p99", spread_of(p99).median}}};
-        if (!bias.empty()) point.details.emplace_back("share of bias", spread_of(bias).median);
+        if (!bias.empty()) {
+            point.details.emplace_back("share of bias", spread_of(bias).median);
+            point.details.emplace_back("its standard error", spread_of(bias_error).median);
+        }
         return point;
     }
 
@@ -172,7 +223,7 @@ class ModelsOfScene {
                 [&] { keep(half(model, sizes_.timed_samples, static_cast<std::uint64_t>(round), 1)); });
         };
         std::vector<std::vector<double>> ratios(models_.size()), all_seconds(models_.size());
-        for (int round = 0; round < sizes_.rounds; ++round) {
+        for (int round = 0; round < sizes_.timed_rounds; ++round) {
             for (std::size_t i = 0; i < models_.size(); ++i) {
                 const double baseline_s = seconds(RgbModel{}, round), own_s = seconds(models_[i], round);
                 ratios[i].push_back(own_s / baseline_s);
@@ -189,7 +240,8 @@ class ModelsOfScene {
     std::string name_;
     int threads_;
     Sizes sizes_;
-    std::vector<TransportModel> models_;
+    std::vector<TransportModel> models_;  ///< rgb first
+    AutoChoice choice_;
     PreparedScene scene_;
 };
 
@@ -202,11 +254,12 @@ Chart measure_models_chart(const ChartOptions& options) {
                 .note = fmt::format("Pictures {} pixels wide. Time of rendering on one thread. Error: mean CIEDE2000 "
                                     "against {} samples a pixel of spectral:8 (median and quartiles over {} seeds), "
                                     "white at 1/0.18 of the reference's log-average luminance. It is noise and bias "
-                                    "together: more samples take away the first alone.",
+                                    "together: more samples take away the first alone. A ring is around the model that "
+                                    "auto takes.",
                                     sizes.width_px, 2 * sizes.reference_samples, sizes.rounds)};
     for (const std::filesystem::path& scene : options.scenes) {
-        for (ChartPanel& panel : ModelsOfScene(scene, name_of(scene, options.scenes), options).measure())
-            chart.panels.push_back(std::move(panel));
+        ModelsOfScene models_of_scene(read_scene(scene), name_of(scene, options.scenes), options);
+        for (ChartPanel& panel : models_of_scene.measure()) chart.panels.push_back(std::move(panel));
     }
     return chart;
 }

@@ -17,9 +17,9 @@
 
 #include "chart/charts.h"
 #include "chart/measure.h"
-#include "chart/scaling_scene.h"
 #include "core/parallel.h"
 #include "film/film.h"
+#include "pathtracer/landscape_scene.h"
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/render.h"
 
@@ -84,11 +84,11 @@ ChartPanel by_pixels(const ChartOptions& options) {
     std::vector<Spread> bytes;
     std::vector<Work> works;
     for (const int side : sides) {
-        auto scene = std::make_shared<PreparedScene>(scaling_scene(kTriangles, side), options.threads);
+        auto scene = std::make_shared<PreparedScene>(landscape_scene(kTriangles, side), options.threads);
         pixels.push_back(static_cast<double>(side) * side);
         works.emplace_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
         const double before = resident_bytes();
-        const Film film(film_options(scaling_scene(1, 4 * side)));
+        const Film film(film_options(landscape_scene(1, 4 * side)));
         keep(film);
         bytes.push_back(exactly(resident_bytes() - before));
         film_pixels.push_back(16.0 * side * side);
@@ -157,7 +157,7 @@ ChartPanel by_triangles(const ChartOptions& options) {
     std::vector<Work> works;
     for (const std::int64_t count : counts) {
         const double before = resident_bytes();
-        auto scene = std::make_shared<PreparedScene>(scaling_scene(count, kSide_px), options.threads);
+        auto scene = std::make_shared<PreparedScene>(landscape_scene(count, kSide_px), options.threads);
         bytes.push_back(exactly(resident_bytes() - before));
         triangles.push_back(static_cast<double>(count));
         works.emplace_back([scene] { keep(render_picture(*scene, 1, 1, 1)); });
@@ -165,7 +165,7 @@ ChartPanel by_triangles(const ChartOptions& options) {
     for (const std::int64_t count : counts) {
         std::vector<double> seconds;
         for (int round = 0; round < 3; ++round) {
-            Scene scene = scaling_scene(count, kSide_px);
+            Scene scene = landscape_scene(count, kSide_px);
             seconds.push_back(wall_seconds([&] { keep(PreparedScene(std::move(scene), options.threads)); }));
         }
         build_s.push_back(spread_of(seconds));
@@ -186,7 +186,7 @@ ChartPanel by_triangles(const ChartOptions& options) {
 /// By the clock on the wall, which other programs on the machine change; and the processor time of all threads
 /// together, which says what working together costs, whatever else there is.
 ChartPanel by_threads(const ChartOptions& options) {
-    const PreparedScene scene(scaling_scene(kTriangles, 2 * kSide_px), 0);
+    const PreparedScene scene(landscape_scene(kTriangles, 2 * kSide_px), 0);
     std::vector<double> counts;
     for (int threads = 1; threads <= std::max(hardware_threads(), 2); threads *= 2) counts.push_back(threads);
     std::vector<std::vector<double>> wall(counts.size()), processor(counts.size());
@@ -229,7 +229,7 @@ Chart measure_scaling_chart(const ChartOptions& options) {
                     "RMS of Y against many "
                     "samples; independent samples have -1/2.",
                     kTriangles, kSide_px, kSide_px)};
-    const PreparedScene scene(scaling_scene(kTriangles, kSide_px), options.threads);
+    const PreparedScene scene(landscape_scene(kTriangles, kSide_px), options.threads);
     chart.panels = {by_pixels(options), by_samples(scene, options)};
     chart.panels.push_back(error_by_samples(scene, options));
     chart.panels.push_back(by_triangles(options));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,8 @@ namespace {
 constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 // gnuplot's numbers of hollow signs; the filled one is the next.
 constexpr std::array kSigns = {6, 4, 8, 12, 10, 14};
+/// A circle that leaves room for another sign in it.
+constexpr std::string_view kRing = "pt 6 ps 1.9 lw 1.8";
 
 /// In single quotes nothing is special to gnuplot but those, and not even doubled ones everywhere: they become
 /// apostrophes.
@@ -67,6 +70,15 @@ class ScriptWriter {
     [[nodiscard]] const char* colour(std::size_t series) const { return kColours[series % kColours.size()]; }
     [[nodiscard]] int sign(std::size_t series) const { return kSigns[series % kSigns.size()]; }
 
+    [[nodiscard]] bool is_only_rings(std::size_t series) const {
+        return std::all_of(chart_.panels.begin(), chart_.panels.end(), [&](const ChartPanel& panel) {
+            for (std::size_t i = 0; i < panel.points.size(); ++i) {
+                if (panel.points[i].series == series_[series] && !is_around_another(panel, i)) return false;
+            }
+            return true;
+        });
+    }
+
     void write_head() {
         add("set encoding utf8\n");
         if (format_ == ChartFormat::svg) {
@@ -78,8 +90,19 @@ class ScriptWriter {
         }
     }
 
-    // --- Data: of panel p and series s, $P<p>S<s>F for points on the front, $P<p>S<s>N for the others, A for
-    // all of them, and B for those with bars
+    // --- Data: of panel p and series s, $P<p>S<s>F for points on the front, $P<p>S<s>N for the others, R for rings
+    // around other points, A for all of them, and B for those with bars
+
+    static std::string block_name(std::size_t p, std::size_t s, char kind) {
+        return fmt::format("$P{}S{}{}", p, s, kind);
+    }
+    static std::string front_name(std::size_t p) { return fmt::format("$P{}FRONT", p); }
+
+    void add_block(const std::string& name, const std::string& rows) {
+        if (rows.empty()) return;
+        add("{} << EOD\n{}EOD\n", name, rows);
+        blocks_.insert(name);
+    }
 
     static void append_point(std::string& rows, const ChartPanel& panel, const ChartPoint& point) {
         const auto x = [&](double value) { return drawn(panel.x, value); };
@@ -104,25 +127,30 @@ class ScriptWriter {
         const ChartPanel& panel = chart_.panels[p];
         std::vector<ChartPoint> front;
         for (std::size_t s = 0; s < series_.size(); ++s) {
-            std::string on, off, all, bars;
-            for (const ChartPoint& point : panel.points) {
+            std::string on, off, rings, all, bars;
+            for (std::size_t i = 0; i < panel.points.size(); ++i) {
+                const ChartPoint& point = panel.points[i];
                 if (point.series != series_[s]) continue;
+                append_point(all, panel, point);
+                if (is_around_another(panel, i)) {
+                    append_point(rings, panel, point);
+                    continue;
+                }
                 if (has_bars(p, point)) append_point(bars, panel, point);
                 append_point(point.on_front ? on : off, panel, point);
-                append_point(all, panel, point);
                 if (point.on_front) front.push_back(point);
             }
-            if (!on.empty()) add("$P{}S{}F << EOD\n{}EOD\n", p, s, on);
-            if (!off.empty()) add("$P{}S{}N << EOD\n{}EOD\n", p, s, off);
-            if (!all.empty()) add("$P{}S{}A << EOD\n{}EOD\n", p, s, all);
-            if (!bars.empty()) add("$P{}S{}B << EOD\n{}EOD\n", p, s, bars);
+            for (const auto& [kind, rows] : {std::pair('F', &on), std::pair('N', &off), std::pair('R', &rings),
+                                             std::pair('A', &all), std::pair('B', &bars)}) {
+                add_block(block_name(p, s, kind), *rows);
+            }
         }
         if (front.empty()) return;
         std::stable_sort(front.begin(), front.end(),
                          [](const ChartPoint& a, const ChartPoint& b) { return a.x.median < b.x.median; });
         std::string rows;
         for (const ChartPoint& point : front) append_point(rows, panel, point);
-        add("$P{}FRONT << EOD\n{}EOD\n", p, rows);
+        add_block(front_name(p), rows);
     }
 
     // --- What stands around the panels; drawn with the first of them
@@ -135,8 +163,10 @@ class ScriptWriter {
         }
         for (const LegendEntry& entry : layout_.legend) {
             const std::size_t s = number_of(entry.series);
-            add("set label {} at {} left offset 1.2,0 point pt {} ps 1 lw 1.5 lc rgb '{}'\n", in_quotes(entry.series),
-                screen(entry.x_px, entry.y_px), sign(s) + 1, colour(s));
+            const std::string drawn_as =
+                is_only_rings(s) ? std::string(kRing) : fmt::format("pt {} ps 1 lw 1.5", sign(s) + 1);
+            add("set label {} at {} left offset 1.2,0 point {} lc rgb '{}'\n", in_quotes(entry.series),
+                screen(entry.x_px, entry.y_px), drawn_as, colour(s));
         }
         if (layout_.front_note_y_px > 0.0) {
             add("set label 'Filled, on the dashed line: Pareto front, nothing measured is both cheaper and better. "
@@ -195,39 +225,31 @@ class ScriptWriter {
         write_labels(layout);
 
         std::vector<std::string> plots;
-        const bool has_front =
-            std::any_of(panel.points.begin(), panel.points.end(), [](const ChartPoint& q) { return q.on_front; });
-        if (has_front) plots.push_back(fmt::format("$P{}FRONT with lines lc rgb '#777777' dt 2 lw 1.5", p));
+        if (blocks_.contains(front_name(p))) {
+            plots.push_back(front_name(p) + " with lines lc rgb '#777777' dt 2 lw 1.5");
+        }
         for (std::size_t s = 0; s < series_.size(); ++s) append_series(panel, p, s, plots);
         add("plot {}\nunset label\n", fmt::join(plots, ", \\\n  "));
     }
 
     void append_series(const ChartPanel& panel, std::size_t p, std::size_t s, std::vector<std::string>& plots) const {
-        const auto has = [&](auto&& condition) {
-            return std::any_of(panel.points.begin(), panel.points.end(),
-                               [&](const ChartPoint& point) { return point.series == series_[s] && condition(point); });
+        const auto plot = [&](char kind, const std::string& style) {
+            const std::string name = block_name(p, s, kind);
+            if (blocks_.contains(name)) plots.push_back(fmt::format("{} with {} lc rgb '{}'", name, style, colour(s)));
         };
-        if (!has([](const ChartPoint&) { return true; })) return;
-        if (panel.lines == SeriesLines::joined) {
-            plots.push_back(fmt::format("$P{}S{}A with lines lc rgb '{}' lw 1", p, s, colour(s)));
-        }
-        const auto has_bar = [&](const ChartPoint& point) { return has_bars(p, point); };
-        if (has(has_bar))
-            plots.push_back(fmt::format("$P{}S{}B with xyerrorbars pt -1 lc rgb '{}' lw 1", p, s, colour(s)));
-        if (has([](const ChartPoint& point) { return !point.on_front; })) {
-            plots.push_back(
-                fmt::format("$P{}S{}N with points pt {} ps 0.9 lw 1.5 lc rgb '{}'", p, s, sign(s), colour(s)));
-        }
-        if (has([](const ChartPoint& point) { return point.on_front; })) {
-            plots.push_back(fmt::format("$P{}S{}F with points pt {} ps 1.1 lc rgb '{}'", p, s, sign(s) + 1, colour(s)));
-        }
+        if (panel.lines == SeriesLines::joined) plot('A', "lines lw 1");
+        plot('B', "xyerrorbars pt -1 lw 1");
+        plot('N', fmt::format("points pt {} ps 0.9 lw 1.5", sign(s)));
+        plot('F', fmt::format("points pt {} ps 1.1", sign(s) + 1));
+        plot('R', fmt::format("points {}", kRing));
     }
 
     const Chart& chart_;
     ChartFormat format_;
     ChartLayout layout_;
     std::vector<std::string> series_;
-    std::string text_;
+    std::set<std::string> blocks_ = {};  ///< those that there are
+    std::string text_ = {};
 };
 
 }  // namespace

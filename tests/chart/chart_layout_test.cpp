@@ -83,6 +83,22 @@ TEST(ChartLayout, KeepsLabelsApart) {
     }
 }
 
+TEST(ChartLayout, TellsOnceWhatLiesInOnePlace) {
+    Chart chart = crowded(3, AxisScale::log);
+    ChartPoint around = chart.panels[0].points[1];
+    around.series = "choice";
+    around.label = "choice: " + around.label;
+    chart.panels[0].points.push_back(around);
+    EXPECT_TRUE(is_around_another(chart.panels[0], 3));
+    EXPECT_FALSE(is_around_another(chart.panels[0], 1));
+    std::vector<std::string> texts;
+    for (const PlacedLabel& label : layout_of(chart).panels[0].labels) texts.push_back(label.text);
+    EXPECT_THAT(texts, testing::ElementsAre("label-0", "label-2", "choice: label-1"));
+    // A label that does not tell the other's leaves it where it was.
+    chart.panels[0].points[3].label = "choice";
+    EXPECT_EQ(layout_of(chart).panels[0].labels.size(), 4u);
+}
+
 TEST(ChartLayout, NamesSeriesInALegendUnlessLabelsDo) {
     Chart chart = crowded(12, AxisScale::log);
     EXPECT_EQ(layout_of(chart).legend.size(), 5u);

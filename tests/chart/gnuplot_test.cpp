@@ -92,5 +92,20 @@ TEST(Gnuplot, FillsThePointsOfTheFront) {
     EXPECT_THAT(script, Not(HasSubstr("$P0S0N")));
 }
 
+TEST(Gnuplot, DrawsARingAroundWhatLiesInTheSamePlace) {
+    Chart chart = example();
+    ChartPoint same = chart.panels[0].points[0];
+    same.series = "three";
+    chart.panels[0].points.push_back(same);
+    const std::string script = gnuplot_script(chart, ChartFormat::svg);
+    EXPECT_THAT(script, HasSubstr("$P0S0F << EOD\n1 2 0.9 1.2 2 2\nEOD\n"));
+    EXPECT_THAT(script, HasSubstr("$P0S2R << EOD\n1 2 0.9 1.2 2 2\nEOD\n"));
+    EXPECT_THAT(script, HasSubstr("$P0S2R with points pt 6"));
+    EXPECT_THAT(script, Not(HasSubstr("$P0S2F")));
+    // Joined points have lines to tell whose they are.
+    chart.panels[0].lines = SeriesLines::joined;
+    EXPECT_THAT(gnuplot_script(chart, ChartFormat::svg), Not(HasSubstr("$P0S2R")));
+}
+
 }  // namespace
 }  // namespace emulsion
