@@ -21,6 +21,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 /// So that less is better.
 double cost(const ChartAxis& axis, const Spread& value) {
+    if (axis.better == BetterEnd::neither) return 0.0;
     return axis.better == BetterEnd::low ? value.median : -value.median;
 }
 

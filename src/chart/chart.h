@@ -25,8 +25,8 @@ struct Spread {
 [[nodiscard]] constexpr Spread exactly(double value) noexcept { return {value, value, value}; }
 
 enum class AxisScale { linear, log };
-/// Which end of an axis is the better one.
-enum class BetterEnd { low, high };
+/// Which end of an axis is the better one. An axis with neither has no part in the Pareto front.
+enum class BetterEnd { low, high, neither };
 
 struct ChartAxis {
     std::string label = {};

@@ -1,7 +1,9 @@
 #include "chart/chart_csv.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,9 +36,22 @@ std::string line(const Row& row) {
     return text + '\n';
 }
 
+template <class T>
+using Words = std::span<const std::pair<const char*, T>>;
+
+constexpr std::array<std::pair<const char*, AxisScale>, 2> kScales = {
+    {{"linear", AxisScale::linear}, {"log", AxisScale::log}}};
+constexpr std::array<std::pair<const char*, BetterEnd>, 3> kBetterEnds = {
+    {{"low", BetterEnd::low}, {"high", BetterEnd::high}, {"neither", BetterEnd::neither}}};
+
+template <class T>
+const char* word_of(T value, Words<T> words) {
+    return std::ranges::find(words, value, &std::pair<const char*, T>::second)->first;
+}
+
 void append_axis(Row& row, std::string_view name, const ChartAxis& axis) {
-    row.insert(row.end(), {std::string(name), axis.label, axis.unit, axis.scale == AxisScale::log ? "log" : "linear",
-                           axis.better == BetterEnd::low ? "low" : "high", fmt::format("{}", axis.least_drawn)});
+    row.insert(row.end(), {std::string(name), axis.label, axis.unit, word_of<AxisScale>(axis.scale, kScales),
+                           word_of<BetterEnd>(axis.better, kBetterEnds), fmt::format("{}", axis.least_drawn)});
 }
 
 void append_spread(Row& row, const Spread& value) {
@@ -113,21 +128,19 @@ class CsvReader {
     int line_ = 0;
 };
 
-/// One of two words.
 template <class T>
-T choice(const CsvReader& reader, const std::string& text, std::pair<const char*, T> a, std::pair<const char*, T> b) {
-    if (text == a.first) return a.second;
-    if (text != b.first) reader.fail(fmt::format("found \"{}\", expected {} or {}", text, a.first, b.first));
-    return b.second;
+T choice(const CsvReader& reader, const std::string& text, Words<T> words) {
+    std::string expected;
+    for (const auto& [word, value] : words) {
+        if (text == word) return value;
+        expected += (expected.empty() ? "" : " or ") + std::string(word);
+    }
+    reader.fail(fmt::format("found \"{}\", expected {}", text, expected));
 }
 
 ChartAxis axis_of(const CsvReader& reader, const Row& row, std::size_t first) {
-    using Scale = std::pair<const char*, AxisScale>;
-    using Better = std::pair<const char*, BetterEnd>;
-    return {row[first + 1], row[first + 2],
-            choice(reader, row[first + 3], Scale("linear", AxisScale::linear), Scale("log", AxisScale::log)),
-            choice(reader, row[first + 4], Better("low", BetterEnd::low), Better("high", BetterEnd::high)),
-            reader.number(row[first + 5])};
+    return {row[first + 1], row[first + 2], choice<AxisScale>(reader, row[first + 3], kScales),
+            choice<BetterEnd>(reader, row[first + 4], kBetterEnds), reader.number(row[first + 5])};
 }
 
 void read_details(const CsvReader& reader, std::string_view text, ChartPoint& point) {

@@ -101,7 +101,7 @@ class ModelsOfScene {
                        .x = {.label = "time / time of rgb"},
                        .y = error},
             ChartPanel{.title = fmt::format("{}: in the time of rgb", name_),
-                       .x = {.label = "samples a pixel that fit", .better = BetterEnd::high},
+                       .x = {.label = "samples a pixel that fit", .better = BetterEnd::neither},
                        .y = error}};
         for (std::size_t i = 0; i < models_.size(); ++i) {
             ChartPoint equal_samples = point_of(models_[i], sizes_.samples, reference);

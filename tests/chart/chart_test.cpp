@@ -47,6 +47,10 @@ TEST(Front, KnowsWhichEndIsBetter) {
     panel.points = {point("a", 1, 1), point("b", 2, 2), point("c", 1.5, 3), point("d", 3, 2)};
     mark_front(panel);
     EXPECT_EQ(front_of(panel), "ad");
+    // Where more or less of x is no better, only y counts.
+    panel.x.better = BetterEnd::neither;
+    mark_front(panel);
+    EXPECT_EQ(front_of(panel), "a");
 }
 
 /// Of (i, sqrt(R^2 - i^2)) on a quarter of a circle with the better corner outside nothing beats anything; a point
@@ -96,7 +100,7 @@ Chart example() {
                                   .better = BetterEnd::high,
                                   .least_drawn = 1e-18},
                             .lines = SeriesLines::joined});
-    chart.panels.push_back({.title = "two"});
+    chart.panels.push_back({.title = "two", .x = {.better = BetterEnd::neither}});
     chart.panels[0].points = {{.series = "#s", .label = "a,b", .x = {0.1, 1.0 / 3.0, 5e-324}, .y = exactly(0.0)},
                               {.series = "t",
                                .label = "",

@@ -272,11 +272,16 @@ TEST(ModelsChart, HasWhatAutoTakesAndItsErrorWithinTheBudget) {
               ErrorBudget{}.mean);
 }
 
-/// The exponent of Monte Carlo, and those of what is counted. Those of times are in Long/: other programs on the
-/// machine change times, and no tolerance is right for that.
-TEST(ScalingChart, ErrorsFallWithTheRootOfSamplesAndMemoryGrowsWithPixels) {
-    const Chart chart = measure_chart("scaling", quick());
+bool grows_linearly(const ChartPanel& panel) { return std::abs(fitted_exponent(panel, "time") - 1.0) <= 0.1; }
+
+/// The exponent of Monte Carlo, those of what is counted, and those of times. Other programs on the machine change
+/// times, if little, as they are processor time: one measurement in three has to be undisturbed.
+TEST(ScalingChart, ErrorsFallWithTheRootOfSamplesAndTimeAndMemoryGrowWithPixels) {
+    Chart chart = measure_chart("scaling", quick());
     ASSERT_EQ(chart.panels.size(), 5u);
+    for (int again = 0; again < 2 && !(grows_linearly(chart.panels[0]) && grows_linearly(chart.panels[1])); ++again) {
+        chart = measure_chart("scaling", quick());
+    }
     const auto panel = [&](const std::string& start) -> const ChartPanel& {
         for (const ChartPanel& one : chart.panels) {
             if (one.title.starts_with(start)) return one;
@@ -288,6 +293,8 @@ TEST(ScalingChart, ErrorsFallWithTheRootOfSamplesAndMemoryGrowsWithPixels) {
     // slope through ln 1, ln 4, ln 16 has then 0.03 sqrt(2) / ln 16 = 0.015. The reference's own noise, 1/1024 of that
     // of one sample, makes it shallower by ln(1 + 16/1024) / 2 / ln 16 = 0.003.
     EXPECT_NEAR(fitted_exponent(panel("Error by samples"), "error"), -0.5, 4.0 * 0.015 + 0.003);
+    EXPECT_NEAR(fitted_exponent(panel("Pixels"), "time"), 1.0, 0.1);
+    EXPECT_NEAR(fitted_exponent(panel("Samples"), "time"), 1.0, 0.1);
     // The film's fixed part is less than 1 % of the smallest.
     EXPECT_NEAR(fitted_exponent(panel("Pixels"), "memory"), 1.0, 0.1);
     for (const ChartPoint& point : panel("Pixels").points) EXPECT_GT(point.y.median, 0.0);
@@ -301,10 +308,10 @@ TEST(Charts, RefuseWhatTheyDoNotKnow) {
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("at least one scene")));
 }
 
-/// Times, on a machine that has nothing else to do: out of the quick tests.
-class CostExponents : public testing::TestWithParam<int> {};
+/// The chart as it is drawn.
+class Exponents : public testing::TestWithParam<int> {};
 
-TEST_P(CostExponents, AreOne) {
+TEST_P(Exponents, AreWhatTheoryAsksFor) {
     const Chart chart = measure_chart("scaling", {.effort = ChartEffort::full, .threads = 1});
     EXPECT_NEAR(fitted_exponent(chart.panels[0], "time"), 1.0, 0.1);
     EXPECT_NEAR(fitted_exponent(chart.panels[1], "time"), 1.0, 0.1);
@@ -312,7 +319,7 @@ TEST_P(CostExponents, AreOne) {
     EXPECT_NEAR(fitted_exponent(chart.panels[3], "memory"), 1.0, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, CostExponents, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Long, Exponents, testing::Values(0));
 
 }  // namespace
 }  // namespace emulsion
