@@ -58,7 +58,7 @@ PrecisionLoss precision_loss(const Image<XYZ>& scene, Pipeline pipeline, const P
     const ViewingConditions viewing{shown_as_white(pipeline.scene_white, pipeline.display), 1.0};
     Image<double> differences(width, height, UnsetPixels{});
     parallel_for_rows(width, height, options.threads, [&](int y) {
-        for (int x = 0; x < width; ++x) {
+        for (int x = 0; x < differences.width(); ++x) {
             differences(x, y) = difference(Ciede2000Difference{}, lab_on_display(exact(x, y), viewing),
                                            lab_on_display(fast(x, y), viewing));
         }
