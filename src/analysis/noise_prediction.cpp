@@ -34,18 +34,19 @@ NoisePrediction::NoisePrediction(const PreparedScene& scene, const Pilot& pilot,
       viewing_(viewing),
       numbers_(std::holds_alternative<IndependentSampler>(scene.scene().sampler) ? PixelPaths::Numbers::independent
                                                                                  : PixelPaths::Numbers::even),
-      threads_(options.threads) {
-    const std::vector<double> light = node_integrals(sum_of_lights(scene.scene_spectra()));
+      threads_(options.threads),
+      light_(sum_of_lights(scene.scene_spectra())) {
+    const std::vector<double> light = node_integrals(light_);
     const std::size_t stride = 1 + pilot.pixels.size() / kPixels;
     for (std::size_t i = 0; i < pilot.pixels.size(); i += stride) {
-        pixels_.push_back({light_of(pilot, i), radiance_of(pilot.channels, pilot.pixels[i], light)});
+        pixels_.push_back({light_of(pilot, i), ratio_to_light(pilot.channels, pilot.pixels[i], light)});
     }
 }
 
 double NoisePrediction::operator()(const TransportModel& model, double samples) const {
     const auto* spectral = std::get_if<SpectralModel>(&model);
     const PixelPaths paths{samples, numbers_};
-    const WavelengthWeights weights(scene_.wavelengths());
+    const WavelengthWeights weights(scene_.wavelengths(), light_);
     std::vector<double> squares(pixels_.size());
     parallel_for(0, static_cast<int>(pixels_.size()), threads_, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
@@ -54,7 +55,7 @@ double NoisePrediction::operator()(const TransportModel& model, double samples) 
         if (!(pixel.light.xyz.y > 0.0)) return;
         squares[i] = spectral == nullptr
                          ? channel_noise(pixel.light, paths, viewing_, draws)
-                         : wavelength_noise(pixel.light, weights.by_number(pixel.radiance), weights.sampler(),
+                         : wavelength_noise(pixel.light, weights.by_number(pixel.ratio), weights.sampler(),
                                             spectral->wavelengths, paths, viewing_, draws);
     });
     return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / static_cast<double>(squares.size()));

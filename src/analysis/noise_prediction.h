@@ -25,12 +25,13 @@ class NoisePrediction {
   private:
     struct Pixel {
         PixelLight light;
-        std::vector<double> radiance;  // at whole nanometres
+        std::vector<double> ratio;  // to the scene's light
     };
     const PreparedScene& scene_;
     ViewingConditions viewing_;
     PixelPaths::Numbers numbers_;
     int threads_;
+    Spectrum light_;
     std::vector<Pixel> pixels_;
 };
 

@@ -141,22 +141,19 @@ Pilot trace_pilot(PreparedScene& scene, std::span<const TransportModel> models, 
     return pilot;
 }
 
-std::vector<double> radiance_of(const PilotChannels& channels, const ChannelValues& pixel,
-                                std::span<const double> light) {
+std::vector<double> ratio_to_light(const PilotChannels& channels, const ChannelValues& pixel,
+                                   std::span<const double> light) {
     static const std::vector<double> eye = eye_nodes();
-    std::vector<double> radiance(light.size());
+    std::vector<double> ratio(light.size(), 0.0);
     std::size_t begin = 0;
     for (std::size_t band = 0; band < channels.bands.count; ++band) {
         const auto end = static_cast<std::size_t>(channels.band_end_nm[band] - kMinWavelength_nm);
         double seen = 0.0;
         for (std::size_t n = begin; n < end; ++n) seen += light[n] * eye[n];
-        for (std::size_t n = begin; n < end; ++n) {
-            const double per_seen = seen > 0.0 ? light[n] / seen : 1.0 / (eye[n] * static_cast<double>(end - begin));
-            radiance[n] = pixel[channels.bands.first + band] * per_seen;
-        }
+        for (std::size_t n = begin; n < end && seen > 0.0; ++n) ratio[n] = pixel[channels.bands.first + band] / seen;
         begin = end;
     }
-    return radiance;
+    return ratio;
 }
 
 XYZd xyz_of(const PilotChannels& channels, const PilotChannels::Part& part, const ChannelValues& pixel) {

@@ -18,8 +18,8 @@
 namespace emulsion {
 
 struct PilotOptions {
-    int pixels = 1024;           ///< about; of the whole frame, in its aspect; >= 1
-    int samples_per_pixel = 16;  ///< >= 1
+    int pixels = 2048;            ///< about; of the whole frame, in its aspect; >= 1
+    int samples_per_pixel = 128;  ///< >= 1
     std::uint64_t seed = 0;
     int threads = 0;  ///< >= 0; 0: one per hardware thread; no result depends on it
 };
@@ -37,10 +37,10 @@ struct Pilot {
 [[nodiscard]] Pilot trace_pilot(PreparedScene& scene, std::span<const TransportModel> models,
                                 const PilotOptions& options);
 
-/// A pixel's spectrum at whole nanometres, the shape of the scene's `light` within each band: its sum with the observer
-/// is XYZ.
-[[nodiscard]] std::vector<double> radiance_of(const PilotChannels& channels, const ChannelValues& pixel,
-                                              std::span<const double> light);
+/// A pixel's spectrum over that of the scene's light, at whole nanometres: the same within each band. `light` as
+/// node_integrals() has it; where it is 0, so is the ratio.
+[[nodiscard]] std::vector<double> ratio_to_light(const PilotChannels& channels, const ChannelValues& pixel,
+                                                 std::span<const double> light);
 
 /// What a part of a pixel's channels is as a colour.
 [[nodiscard]] XYZd xyz_of(const PilotChannels& channels, const PilotChannels::Part& part, const ChannelValues& pixel);

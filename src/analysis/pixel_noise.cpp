@@ -9,6 +9,7 @@
 #include "spectrum/ciede2000_difference.h"
 #include "spectrum/observer.h"
 #include "spectrum/sampled_spectrum.h"
+#include "spectrum/spectrum_table.h"
 
 namespace emulsion {
 
@@ -84,22 +85,25 @@ double wavelength_noise_of(const PixelLight& light, std::span<const XYZd> by_num
 
 }  // namespace
 
-WavelengthWeights::WavelengthWeights(const WavelengthSampler& sampler) : sampler_(sampler) {
+WavelengthWeights::WavelengthWeights(const WavelengthSampler& sampler, const Spectrum& light) : sampler_(sampler) {
     constexpr std::size_t kLastCell = kMaxWavelength_nm - kMinWavelength_nm - 1;
+    const SpectrumTable table(light);  // as paths see it: a line has the nanometre that it lies in
     for (std::size_t i = 0; i < kNumberCells; ++i) {
         double lambda_nm = 0.0;
         const double pdf = density(sampler_, (static_cast<double>(i) + 0.5) / kNumberCells, lambda_nm);
+        const SpectrumTableIndex<1> index({static_cast<float>(lambda_nm)});
         const double above = lambda_nm - kMinWavelength_nm;
         const std::size_t node = std::min(static_cast<std::size_t>(above), kLastCell);
-        cells_.push_back({node, above - static_cast<double>(node), 1.0 / pdf * eval(cie_1931_2deg(), lambda_nm)});
+        cells_.push_back({node, above - static_cast<double>(node),
+                          static_cast<double>(table.at(index)[0]) / pdf * eval(cie_1931_2deg(), lambda_nm)});
     }
 }
 
-std::vector<XYZd> WavelengthWeights::by_number(std::span<const double> radiance) const {
+std::vector<XYZd> WavelengthWeights::by_number(std::span<const double> ratio) const {
     std::vector<XYZd> result;
     result.reserve(cells_.size());
     for (const Cell& cell : cells_) {
-        const double below = radiance[cell.node], next = radiance[cell.node + 1];
+        const double below = ratio[cell.node], next = ratio[cell.node + 1];
         result.push_back((below + cell.above * (next - below)) * cell.weight);
     }
     return result;

@@ -5,11 +5,13 @@
 // A path brings either nothing or always the same, so that its variance is what it is said to be; its wavelengths don't
 // depend on that. Where a path's light was dispersed, one of its wavelengths is left, with the weight of all.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/color.h"
+#include "spectrum/spectrum.h"
 #include "spectrum/viewing_conditions.h"
 #include "spectrum/wavelength_sampler.h"
 
@@ -19,20 +21,22 @@ namespace emulsion {
 /// wavelength alone says of the colour. The mean of all is XYZ, however narrow the spectrum's lines are.
 inline constexpr std::size_t kNumberCells = 8192;
 
-/// What wavelengths count that a strategy draws.
+/// What wavelengths count that a strategy draws, in the light of a scene.
 class WavelengthWeights {
   public:
-    explicit WavelengthWeights(const WavelengthSampler& sampler);
+    /// \throws std::invalid_argument as SpectrumTable does.
+    WavelengthWeights(const WavelengthSampler& sampler, const Spectrum& light);
 
-    /// `radiance` at whole nanometres of the visible, straight lines between; its sum with the observer is XYZ.
-    [[nodiscard]] std::vector<XYZd> by_number(std::span<const double> radiance) const;
+    /// Of the light times `ratio`, which is given at whole nanometres of the visible, straight lines between; the sum
+    /// of their product with the observer is XYZ.
+    [[nodiscard]] std::vector<XYZd> by_number(std::span<const double> ratio) const;
     [[nodiscard]] const WavelengthSampler& sampler() const noexcept { return sampler_; }
 
   private:
     struct Cell {
         std::size_t node;  // between this nanometre and the next,
         double above;      // this far
-        XYZd weight;       // observer / density
+        XYZd weight;       // light * observer / density
     };
     WavelengthSampler sampler_;
     std::vector<Cell> cells_;
