@@ -203,9 +203,9 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
     return analysis;
 }
 
-std::string reasons(const ModelAnalysis& analysis) {
-    return to_text(analysis.models[analysis.chosen].model) + ": " + main_reason(analysis) + "\n" +
-           alternatives(analysis);
+std::string reasons(const ModelAnalysis& analysis, std::string_view separator) {
+    return fmt::format("{}: {}{}{}", to_text(analysis.models[analysis.chosen].model), main_reason(analysis), separator,
+                       alternatives(analysis));
 }
 
 }  // namespace emulsion

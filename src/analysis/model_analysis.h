@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/pilot.h"
@@ -67,9 +68,9 @@ inline constexpr double kDispersionSeen = 0.005;
 [[nodiscard]] ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget,
                                            const PilotOptions& options = {});
 
-/// The decision and its reasons, in two lines:
+/// The decision and its reasons, in two lines, or with another separator between them:
 ///     rgb-prefiltered: predicted dE00 0.24 mean, 1.08 p99; asked for 1 mean, 3 p99
 ///     rgb:sRGB 1.42 mean, 6.81 p99; spectral:4 would cost 1.08x
-[[nodiscard]] std::string reasons(const ModelAnalysis& analysis);
+[[nodiscard]] std::string reasons(const ModelAnalysis& analysis, std::string_view separator = "\n");
 
 }  // namespace emulsion

@@ -1,5 +1,6 @@
 #include "analysis/model_choice.h"
 
+#include "core/name_key.h"
 #include "core/parameters.h"
 
 namespace emulsion {
@@ -7,7 +8,7 @@ namespace emulsion {
 ModelChoice parse_model_choice(std::string_view text) {
     constexpr std::string_view kBudgetMark = ":";
     const std::string_view name = text.substr(0, text.find(kBudgetMark));
-    if (name != AutoModel::kName) return parse_transport_model(text);
+    if (name_key(name) != AutoModel::kName) return parse_transport_model(text, "auto[:MEAN[,P99]]");
     AutoModel model;
     if (name.size() < text.size()) {
         const std::string_view budget = text.substr(name.size() + kBudgetMark.size());

@@ -127,15 +127,16 @@ TEST_P(LongMeasuredError, IsAsPredicted) {
     }
     const ModelPrediction& usual = analysis.models[analysis.chosen];
     for (const std::size_t i : chosen) std::puts(fmt::format("chosen: {}", to_text(analysis.models[i].model)).c_str());
-    // The light of the prism is found by a path in thousands, as the pilot's are not: its noise is more by far.
-    expect_noise_as_predicted(GetParam(), scene, usual, 1024, GetParam() == "prism" ? 5.0 : 2.0);
+    // The pilot takes paths for independent: better spread ones have down to half that noise. And the light of the
+    // prism is found by a path in thousands, as the pilot's are not: it has more by far.
+    expect_noise_as_predicted(GetParam(), scene, usual, 1024, GetParam() == "prism" ? 5.0 : 2.5);
     if (is_spectral(usual)) {
         for (const std::size_t i : chosen) EXPECT_TRUE(is_spectral(analysis.models[i]));
         return;  // no error but noise: that of spectral models is compared in tests/pathtracer
     }
     EXPECT_LE(*chosen.rbegin() - *chosen.begin(), 1u);
     for (const std::size_t i : chosen) {
-        expect_as_predicted(GetParam(), scene, analysis, analysis.models[i], {.pixels = 1024, .samples = 8192});
+        expect_as_predicted(GetParam(), scene, analysis, analysis.models[i], {.samples = 4096});
     }
 }
 INSTANTIATE_TEST_SUITE_P(Long, LongMeasuredError, ::testing::ValuesIn(bundled_scenes()), test_name);
