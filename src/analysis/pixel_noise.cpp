@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "core/low_discrepancy.h"
 #include "core/random.h"
@@ -50,7 +52,7 @@ double mean_square(const PixelLight& light, const PixelPaths& paths, const Viewi
                 const float u = random.next_float();
                 if (paths.numbers == PixelPaths::Numbers::independent) return u;
                 const auto order = static_cast<std::uint32_t>(hash_combine(seed, ++dimension));
-                const float stratum = static_cast<float>(permuted(path, path_count, order));
+                const auto stratum = static_cast<float>(permuted(path, path_count, order));
                 return std::min((stratum + u) / static_cast<float>(count), 0x1.fffffep-1f);
             };
             pixel = pixel + colour_of_path(next_u, dispersed);
@@ -70,7 +72,8 @@ double wavelength_noise_of(const PixelLight& light, std::span<const XYZd> by_num
         [&]<class Arrangement, class Pdf>(const ArrangedPdf<Arrangement, Pdf>& /*arranged*/) {
             const auto colour_of_path = [&](const auto& next_u, bool dispersed) {
                 const WavelengthNumbers<N> numbers = Arrangement::template numbers<N>(next_u);
-                const std::size_t kept = dispersed ? 1 : N;
+                std::size_t kept = N;
+                if (dispersed) kept = 1;
                 XYZd sum{};
                 for (std::size_t i = 0; i < kept; ++i) {
                     const auto cell = static_cast<std::size_t>(numbers[i] * static_cast<double>(by_number.size()));
@@ -85,7 +88,7 @@ double wavelength_noise_of(const PixelLight& light, std::span<const XYZd> by_num
 
 }  // namespace
 
-WavelengthWeights::WavelengthWeights(const WavelengthSampler& sampler, const Spectrum& light) : sampler_(sampler) {
+WavelengthWeights::WavelengthWeights(WavelengthSampler sampler, const Spectrum& light) : sampler_(std::move(sampler)) {
     constexpr std::size_t kLastCell = kMaxWavelength_nm - kMinWavelength_nm - 1;
     const SpectrumTable table(light);  // as paths see it: a line has the nanometre that it lies in
     for (std::size_t i = 0; i < kNumberCells; ++i) {

@@ -17,26 +17,26 @@
 
 namespace emulsion {
 
-/// A spectrum as drawn wavelengths count it: by their number u in [0, 1), in kNumberCells equal cells, what one
-/// wavelength alone says of the colour. The mean of all is XYZ, however narrow the spectrum's lines are.
+/// Equal cells of the numbers in [0, 1) that wavelengths are drawn by.
 inline constexpr std::size_t kNumberCells = 8192;
 
-/// What wavelengths count that a strategy draws, in the light of a scene.
+/// What one wavelength alone says of a colour, by its number: of the wavelengths that a strategy draws, in the light of
+/// a scene. The mean of all cells is XYZ, however narrow the lines of the light are.
 class WavelengthWeights {
   public:
     /// \throws std::invalid_argument as SpectrumTable does.
-    WavelengthWeights(const WavelengthSampler& sampler, const Spectrum& light);
+    WavelengthWeights(WavelengthSampler sampler, const Spectrum& light);
 
-    /// Of the light times `ratio`, which is given at whole nanometres of the visible, straight lines between; the sum
-    /// of their product with the observer is XYZ.
+    /// For each of kNumberCells. Of the light times `ratio`, which is given at whole nanometres of the visible,
+    /// straight lines between; the sum of their product with the observer is XYZ.
     [[nodiscard]] std::vector<XYZd> by_number(std::span<const double> ratio) const;
     [[nodiscard]] const WavelengthSampler& sampler() const noexcept { return sampler_; }
 
   private:
     struct Cell {
-        std::size_t node;  // between this nanometre and the next,
-        double above;      // this far
-        XYZd weight;       // light * observer / density
+        std::size_t node = 0;  // between this nanometre and the next,
+        double above = 0.0;    // this far
+        XYZd weight{};         // light * observer / density
     };
     WavelengthSampler sampler_;
     std::vector<Cell> cells_;
