@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "analysis/wavelength_noise.h"
+#include "analysis/noise_prediction.h"
 #include "core/nearest_rank.h"
 #include "pathtracer/render.h"
 #include "pathtracer/sample_sequence.h"
-#include "pathtracer/spectrum_nodes.h"
 #include "spectrum/ciede2000_difference.h"
 #include "spectrum/observer.h"
 #include "spectrum/viewing_conditions.h"
@@ -57,7 +58,7 @@ SeenPilot seen(const Pilot& pilot) {
     return result;
 }
 
-void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part, ModelPrediction& prediction) {
+ColourError error_of(const Pilot& pilot, const SeenPilot& exact, std::size_t part) {
     std::vector<double> errors;
     double sum = 0.0;
     for (std::size_t i = 0; i < pilot.pixels.size(); ++i) {
@@ -65,57 +66,8 @@ void predict_error(const Pilot& pilot, const SeenPilot& exact, std::size_t part,
         errors.push_back(difference(Ciede2000Difference{}, exact.exact[i], lab_as_viewed(xyz, exact.viewing)));
         sum += errors.back();
     }
-    prediction.mean = sum / static_cast<double>(errors.size());
-    prediction.p99 = nearest_rank(errors, 99);
+    return {sum / static_cast<double>(errors.size()), nearest_rank(errors, 99)};
 }
-
-/// How noisy pixels are at the time that rgb takes for the scene's samples; of some pixels, evenly spread.
-class PixelNoise {
-  public:
-    PixelNoise(const PreparedScene& scene, const Pilot& pilot, const SeenPilot& exact, int samples_per_pixel_of_pilot)
-        : scene_(scene),
-          pilot_(pilot),
-          exact_(exact),
-          samples_(samples_per_pixel(scene.scene().sampler)),
-          samples_of_pilot_(
-              samples_per_pixel(with_samples_per_pixel(scene.scene().sampler, samples_per_pixel_of_pilot))),
-          light_(node_integrals(sum_of_lights(scene.scene_spectra()))) {}
-
-    /// Root mean square CIEDE2000 of a model that the scene is prepared for.
-    [[nodiscard]] double operator()(const ModelPrediction& prediction) const {
-        constexpr std::size_t kPixels = 256;
-        const std::size_t stride = 1 + pilot_.pixels.size() / kPixels;
-        const auto* spectral = std::get_if<SpectralModel>(&prediction.model);
-        const double samples = samples_ / prediction.cost;
-        double sum = 0.0, count = 0.0;
-        for (std::size_t i = 0; i < pilot_.pixels.size(); i += stride) {
-            sum += of_light(i, samples);
-            if (spectral != nullptr) {
-                sum += wavelength_noise(pilot_.channels, pilot_.pixels[i], light_, scene_.wavelengths(),
-                                        spectral->wavelengths, samples, exact_.viewing);
-            }
-            count += 1.0;
-        }
-        return std::sqrt(sum / count);
-    }
-
-  private:
-    /// Mean square difference that the paths' own variance makes in a pixel of this many samples.
-    [[nodiscard]] double of_light(std::size_t pixel, double samples) const {
-        const XYZd xyz = xyz_of(pilot_.channels, pilot_.channels.bands, pilot_.pixels[pixel]);
-        if (!(xyz.y > 0.0)) return 0.0;
-        const double relative = pilot_.luminance_error[pixel] / xyz.y * std::sqrt(samples_of_pilot_ / samples);
-        const Lab brighter = lab_as_viewed((1.0 + relative) * xyz, exact_.viewing);
-        const double e = difference(Ciede2000Difference{}, exact_.exact[pixel], brighter);
-        return e * e;
-    }
-
-    const PreparedScene& scene_;
-    const Pilot& pilot_;
-    const SeenPilot& exact_;
-    double samples_, samples_of_pilot_;
-    std::vector<double> light_;  // of the scene, at whole nanometres
-};
 
 void note_dispersion(const Pilot& pilot, ModelAnalysis& analysis) {
     double control = 0.0, marked = 0.0;
@@ -130,8 +82,48 @@ void note_dispersion(const Pilot& pilot, ModelAnalysis& analysis) {
     analysis.disperses = analysis.dispersed_share > kDispersionSeen || nearest_rank(shares, 99) > kDispersionSeen;
 }
 
-std::string in_short(const ModelPrediction& p) {
-    return fmt::format("{} {:.2g} mean, {:.2g} p99", to_text(p.model), p.mean, p.p99);
+std::string in_short(const ColourError& error) { return fmt::format("{:.2f} mean, {:.2f} p99", error.mean, error.p99); }
+std::string in_short(const ErrorBudget& budget) { return fmt::format("{:g} mean, {:g} p99", budget.mean, budget.p99); }
+
+/// Why models of channels were not looked at; empty: they were.
+std::string why_only_spectral(const ModelAnalysis& analysis) {
+    if (!analysis.only_spectral.empty()) return analysis.only_spectral;
+    if (!analysis.disperses) return {};
+    return fmt::format("glass disperses {:.2f} % of the light, which models of channels don't see",
+                       100.0 * analysis.dispersed_share);
+}
+
+/// What the decision was made by.
+std::string main_reason(const ModelAnalysis& analysis) {
+    const ModelPrediction& chosen = analysis.models[analysis.chosen];
+    if (!std::holds_alternative<SpectralModel>(chosen.model)) {
+        return fmt::format("predicted dE00 {}; asked for {}", in_short(*chosen.error), in_short(analysis.budget));
+    }
+    const std::string why = why_only_spectral(analysis);
+    return why.empty() ? "no cheaper model is predicted within dE00 " + in_short(analysis.budget) : why;
+}
+
+/// The best of what is cheaper and was not taken; of spectral models, the noise; what the next step up would cost.
+std::string alternatives(const ModelAnalysis& analysis) {
+    const ModelPrediction& chosen = analysis.models[analysis.chosen];
+    std::vector<std::string> parts;
+    const ModelPrediction* best = nullptr;
+    for (std::size_t i = 0; i < std::min(analysis.chosen, channel_models().size()); ++i) {
+        const ModelPrediction& cheaper = analysis.models[i];
+        if (cheaper.error && (best == nullptr || cheaper.error->mean < best->error->mean)) best = &cheaper;
+    }
+    if (best != nullptr) parts.push_back(fmt::format("{} {}", to_text(best->model), in_short(*best->error)));
+    const TransportModel usual = SpectralModel{};
+    if (!std::holds_alternative<SpectralModel>(chosen.model)) {
+        parts.push_back(
+            fmt::format("{} would cost {:.2f}x", to_text(usual), relative_cost(usual) / relative_cost(chosen.model)));
+        return fmt::format("{}", fmt::join(parts, "; "));
+    }
+    parts.push_back(fmt::format("noise dE00 {:.2f} in equal time", chosen.noise));
+    const auto is_usual = [&](const ModelPrediction& p) { return p.model == usual; };
+    const auto other = std::find_if(analysis.models.begin(), analysis.models.end(), is_usual);
+    if (chosen.model != usual) parts.back() += fmt::format(", {} {:.2f}", to_text(usual), other->noise);
+    return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 }  // namespace
@@ -162,30 +154,25 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
     validate(budget);
     const Pilot pilot = trace_pilot(scene, channel_models(), options);
     const SeenPilot exact = seen(pilot);
-    const PixelNoise noise_of(scene, pilot, exact, options.samples_per_pixel);
+    const NoisePrediction noise_of(scene, pilot, exact.viewing, options);
+    const double samples = samples_per_pixel(scene.scene().sampler);
 
     ModelAnalysis analysis;
     analysis.budget = budget;
     analysis.only_spectral = why_not_of_channels(film_options(scene.scene()));
     note_dispersion(pilot, analysis);
-    const auto add = [&](const TransportModel& model) -> ModelPrediction& {
-        ModelPrediction& prediction = analysis.models.emplace_back();
-        prediction.model = model;
-        prediction.cost = relative_cost(model);
-        return prediction;
+    const auto add = [&](const TransportModel& model, const std::optional<ColourError>& error) {
+        const double cost = relative_cost(model);
+        const bool good = error && is_within(error->mean, error->p99, budget);
+        analysis.models.push_back({model, error, cost, noise_of(model, samples / cost), good});
     };
+    const bool only_spectral = analysis.disperses || !analysis.only_spectral.empty();
     for (std::size_t i = 0; i < channel_models().size(); ++i) {
-        ModelPrediction& prediction = add(channel_models()[i]);
-        predict_error(pilot, exact, i, prediction);
-        prediction.noise = noise_of(prediction);
-        prediction.good_enough =
-            is_within(prediction.mean, prediction.p99, budget) && !analysis.disperses && analysis.only_spectral.empty();
+        add(channel_models()[i], only_spectral ? std::nullopt : std::optional(error_of(pilot, exact, i)));
     }
     for (const TransportModel& model : spectral_models()) {
         scene.prepare_for(model);
-        ModelPrediction& prediction = add(model);
-        prediction.noise = noise_of(prediction);
-        prediction.good_enough = true;
+        add(model, ColourError{});
     }
 
     const auto first_spectral = analysis.models.begin() + channel_models().size();
@@ -198,34 +185,9 @@ ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget, co
     return analysis;
 }
 
-std::string reasons(const ModelAnalysis& analysis) {
-    const ModelPrediction& chosen = analysis.models[analysis.chosen];
-    const bool spectral = std::holds_alternative<SpectralModel>(chosen.model);
-    std::string first = to_text(chosen.model) + ": ";
-    if (!spectral) {
-        first += fmt::format("predicted dE00 {:.2g} mean, {:.2g} p99; asked for {:g} and {:g}", chosen.mean, chosen.p99,
-                             analysis.budget.mean, analysis.budget.p99);
-    } else if (!analysis.only_spectral.empty()) {
-        first += analysis.only_spectral;
-    } else if (analysis.disperses) {
-        first += fmt::format("glass disperses {:.2g} % of the light", 100.0 * analysis.dispersed_share);
-    } else {
-        first += fmt::format("no cheaper model is predicted within dE00 {:g} mean, {:g} p99", analysis.budget.mean,
-                             analysis.budget.p99);
-    }
-    // The best of what is cheaper and was not taken; or what the next step up would cost.
-    std::string second;
-    const auto cheaper_end =
-        analysis.models.begin() + static_cast<std::ptrdiff_t>(std::min(analysis.chosen, channel_models().size()));
-    const auto best = std::min_element(analysis.models.begin(), cheaper_end,
-                                       [](const auto& a, const auto& b) { return a.mean < b.mean; });
-    if (best != cheaper_end) second = in_short(*best);
-    if (!spectral) {
-        const TransportModel usual = SpectralModel{};
-        second += fmt::format("{}{} would cost {:.2f}x", second.empty() ? "" : "; ", to_text(usual),
-                              relative_cost(usual) / chosen.cost);
-    }
-    return first + "\n" + second;
+std::string reasons(const ModelAnalysis& analysis, std::string_view separator) {
+    return fmt::format("{}: {}{}{}", to_text(analysis.models[analysis.chosen].model), main_reason(analysis), separator,
+                       alternatives(analysis));
 }
 
 }  // namespace emulsion

@@ -7,12 +7,13 @@
 // scene's integrator follows count. Spectral models have no such error, in the mean over many pictures; they have
 // colour noise, which the pilot's spectra tell, too.
 //
-// What a pilot can't see: details smaller than its pixels count by their mean, and light that none of its paths finds
-// doesn't count. Dispersion has no channel: where more than a little light passes dispersing glass, only spectral
-// models are good enough, whatever the budget.
+// What a pilot can't see: pixels that it hasn't, and light that none of its paths finds. Dispersion has no channel:
+// where more than a little light passes dispersing glass, only spectral models are good enough, whatever the budget.
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/pilot.h"
@@ -22,13 +23,19 @@
 
 namespace emulsion {
 
+/// CIEDE2000 over pixels: mean, and what 99 in 100 don't exceed.
+struct ColourError {
+    double mean = 0.0, p99 = 0.0;
+};
+
 struct ModelPrediction {
     TransportModel model;
-    double mean = 0.0, p99 = 0.0;  ///< CIEDE2000; 0 for spectral models
-    double cost = 1.0;             ///< relative_cost()
-    double noise = 0.0;            ///< root mean square CIEDE2000 of a pixel, at the time that rgb takes for the
-                                   ///< scene's samples
-    bool good_enough = false;      ///< within the budget, and sees the dispersion that there is
+    std::optional<ColourError> error;  ///< 0 for spectral models; none for models of channels where they don't see
+                                       ///< what the light or the film do
+    double cost = 1.0;                 ///< relative_cost()
+    double noise = 0.0;                ///< root mean square CIEDE2000 of a pixel, at the time that rgb takes for the
+                                       ///< scene's samples
+    bool good_enough = false;          ///< within the budget
 };
 
 struct ModelAnalysis {
@@ -52,9 +59,9 @@ inline constexpr double kDispersionSeen = 0.005;
 [[nodiscard]] ModelAnalysis analyse_models(PreparedScene& scene, const ErrorBudget& budget,
                                            const PilotOptions& options = {});
 
-/// The decision and its reasons, in two lines:
-///     rgb-prefiltered: predicted dE00 0.4 mean, 1.1 p99, within 1 and 3
-///     cheaper: rgb 2.1 mean, 6.3 p99; spectral:4 would cost 1.15x
-[[nodiscard]] std::string reasons(const ModelAnalysis& analysis);
+/// The decision and its reasons, in two lines, or with another separator between them:
+///     rgb-prefiltered: predicted dE00 0.24 mean, 1.08 p99; asked for 1 mean, 3 p99
+///     rgb:sRGB 1.42 mean, 6.81 p99; spectral:4 would cost 1.08x
+[[nodiscard]] std::string reasons(const ModelAnalysis& analysis, std::string_view separator = "\n");
 
 }  // namespace emulsion

@@ -17,16 +17,6 @@ namespace {
 
 using Nodes = std::vector<double>;
 
-/// What the eye makes of each whole nanometre: xbar + ybar + zbar.
-Nodes eye_nodes() {
-    Nodes eye(kWholeNanometres);
-    for (std::size_t n = 0; n < eye.size(); ++n) {
-        const XYZd xyz = eval(cie_1931_2deg(), kMinWavelength_nm + static_cast<double>(n));
-        eye[n] = xyz.x + xyz.y + xyz.z;
-    }
-    return eye;
-}
-
 Nodes products(const Nodes& a, const Nodes& b) {
     Nodes result(a.size());
     std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::multiplies<>());
@@ -82,6 +72,15 @@ FixedChannel luminance_channel(const Nodes& light) {
 }
 
 }  // namespace
+
+std::vector<double> eye_nodes() {
+    Nodes eye(kWholeNanometres);
+    for (std::size_t n = 0; n < eye.size(); ++n) {
+        const XYZd xyz = eval(cie_1931_2deg(), kMinWavelength_nm + static_cast<double>(n));
+        eye[n] = xyz.x + xyz.y + xyz.z;
+    }
+    return eye;
+}
 
 PilotChannels pilot_channels(const SceneSpectra& scene, std::span<const TransportModel> models) {
     const Nodes light = node_integrals(sum_of_lights(scene)), eye = eye_nodes();

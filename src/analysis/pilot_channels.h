@@ -27,6 +27,9 @@ struct PilotChannels {
 /// How many channels models may have together.
 inline constexpr std::size_t kPilotBands = 36, kPilotModelChannels = kMostFixedChannels - kPilotBands - 2;
 
+/// What the eye makes of each whole nanometre of the visible: xbar + ybar + zbar.
+[[nodiscard]] std::vector<double> eye_nodes();
+
 /// The bands are narrow where the light of the scene is, as the eye sees it. Models of fixed channels only.
 /// \throws std::invalid_argument for a spectral model, and for more than kPilotModelChannels channels.
 [[nodiscard]] PilotChannels pilot_channels(const SceneSpectra& scene, std::span<const TransportModel> models);

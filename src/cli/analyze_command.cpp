@@ -36,14 +36,17 @@ std::string text_of(const ModelAnalysis& analysis) {
         fmt::format("  {:<28} {:>9} {:>9} {:>6} {:>7}\n", "model", "dE00 mean", "dE00 p99", "cost", "noise");
     for (std::size_t i = 0; i < analysis.models.size(); ++i) {
         const ModelPrediction& p = analysis.models[i];
-        const bool spectral = std::holds_alternative<SpectralModel>(p.model);
-        const std::string mean = spectral ? "-" : fmt::format("{:.3f}", p.mean);
-        const std::string p99 = spectral ? "-" : fmt::format("{:.3f}", p.p99);
-        text += fmt::format("{} {:<28} {:>9} {:>9} {:>6.2f} {:>7.3f}\n", i == analysis.chosen ? '*' : ' ',
+        const std::string mean = p.error ? fmt::format("{:.2f}", p.error->mean) : "-";
+        const std::string p99 = p.error ? fmt::format("{:.2f}", p.error->p99) : "-";
+        text += fmt::format("{} {:<28} {:>9} {:>9} {:>6.2f} {:>7.2f}\n", i == analysis.chosen ? '*' : ' ',
                             to_text(p.model), mean, p99, p.cost, p.noise);
     }
-    text += fmt::format("light that dispersed: {:.2g} %\n", 100.0 * analysis.dispersed_share);
+    text += fmt::format("light that dispersed: {:.2f} %\n", 100.0 * analysis.dispersed_share);
     return text + reasons(analysis) + "\n";
+}
+
+std::string json_error(const ModelPrediction& prediction, double ColourError::*part) {
+    return prediction.error ? json_number((*prediction.error).*part) : "null";
 }
 
 std::string json_of(const ModelAnalysis& analysis) {
@@ -51,8 +54,8 @@ std::string json_of(const ModelAnalysis& analysis) {
     for (const ModelPrediction& p : analysis.models) {
         models += fmt::format(
             "{}\n    {{\"model\": {}, \"mean\": {}, \"p99\": {}, \"cost\": {}, \"noise\": {}, \"good_enough\": {}}}",
-            models.empty() ? "" : ",", json_text(to_text(p.model)), json_number(p.mean), json_number(p.p99),
-            json_number(p.cost), json_number(p.noise), p.good_enough);
+            models.empty() ? "" : ",", json_text(to_text(p.model)), json_error(p, &ColourError::mean),
+            json_error(p, &ColourError::p99), json_number(p.cost), json_number(p.noise), p.good_enough);
     }
     return fmt::format(
         "{{\n  \"budget\": {{\"mean\": {}, \"p99\": {}}},\n  \"dispersed_share\": {},\n  \"chosen\": {},\n  "

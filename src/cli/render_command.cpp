@@ -156,8 +156,8 @@ int RenderCommand::run(const std::string& command_line) const {
     if (const auto* wish = std::get_if<AutoModel>(&settings.model)) {
         const ModelAnalysis analysis = analyse_models(prepared, wish->budget, {.threads = options.threads});
         options.model = analysis.models[analysis.chosen].model;
-        model = reasons(analysis);
-        if (!settings.quiet) print_output(model + "\n");
+        model = reasons(analysis, "; ");
+        if (!settings.quiet) print_output(reasons(analysis) + "\n");
     }
     const FilmMetadata run{.seed = options.seed,
                            .renderer_version = "emulsion " EMULSION_VERSION,

@@ -1,6 +1,7 @@
 #include "pathtracer/transport_model.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -26,14 +27,29 @@ constexpr Matrix3 kSharpFromXyz = {{{
 bool is_sharp(std::string_view space) { return name_key(space) == name_key(kSharpChannels); }
 
 /// The text up to the first colon, and what is behind it; nothing if there is none.
-std::pair<std::string_view, std::string_view> split(std::string_view text) noexcept {
+std::pair<std::string_view, std::optional<std::string_view>> split(std::string_view text) noexcept {
     const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return {text, {}};
+    if (colon == std::string_view::npos) return {text, std::nullopt};
     return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
 [[noreturn]] void refuse(std::string_view text, std::string_view expected) {
     throw std::invalid_argument(fmt::format("transport model: found \"{}\", expected {}", text, expected));
+}
+
+/// What `model:` and the like lack.
+void require_some(const std::optional<std::string_view>& part, std::string_view text, std::string_view expected) {
+    if (part && part->empty()) refuse(text, expected);
+}
+
+/// As to_text() has it.
+std::string channel_space_name(std::string_view name) {
+    if (is_sharp(name)) return std::string(kSharpChannels);
+    try {
+        return rgb_space(name).name;
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{} or {}", error.what(), kSharpChannels));
+    }
 }
 
 int parsed_int(std::string_view text, std::string_view what) {
@@ -42,12 +58,27 @@ int parsed_int(std::string_view text, std::string_view what) {
     return value;
 }
 
-SpectralModel parse_spectral(std::string_view text) {
+SpectralModel parse_spectral(std::string_view text, const std::optional<std::string_view>& rest) {
+    constexpr std::string_view kExpected = "spectral:N[:STRATEGY]";
     SpectralModel model;
-    const auto [count, strategy] = split(text);
-    if (!count.empty()) model.wavelengths = parsed_int(count, "transport model spectral: wavelengths");
-    if (!strategy.empty()) model.strategy = parse_named<WavelengthStrategy>(strategy, kStrategyKind);
+    require_some(rest, text, kExpected);
+    if (!rest) return model;
+    const auto [count, strategy] = split(*rest);
+    if (count.empty()) refuse(text, kExpected);
+    require_some(strategy, text, kExpected);
+    model.wavelengths = parsed_int(count, "transport model spectral: wavelengths");
+    if (strategy) model.strategy = parse_named<WavelengthStrategy>(*strategy, kStrategyKind);
     return model;
+}
+
+RgbModel parse_rgb(std::string_view text, const std::optional<std::string_view>& rest) {
+    require_some(rest, text, "rgb[:SPACE]");
+    return rest ? RgbModel{channel_space_name(*rest)} : RgbModel{};
+}
+
+BasisModel parse_basis(std::string_view text, const std::optional<std::string_view>& rest) {
+    require_some(rest, text, "basis:K");
+    return rest ? BasisModel{parsed_int(*rest, "transport model basis: functions")} : BasisModel{};
 }
 
 void check(const SpectralModel& model) {
@@ -90,24 +121,22 @@ std::string to_text(const TransportModel& model) {
     return std::visit([](const auto& m) { return text_of(m); }, model);
 }
 
-TransportModel parse_transport_model(std::string_view text) {
+TransportModel parse_transport_model(std::string_view text, std::string_view others) {
     const auto [name, rest] = split(text);
+    const std::string key = name_key(name);
     TransportModel model;
-    if (name == SpectralModel::kName) {
-        model = parse_spectral(rest);
-    } else if (name == RgbModel::kName) {
-        RgbModel rgb;
-        if (!rest.empty()) rgb.space = is_sharp(rest) ? std::string(kSharpChannels) : rgb_space(rest).name;
-        model = rgb;
-    } else if (name == PrefilteredRgbModel::kName) {
-        if (!rest.empty()) refuse(text, "\"rgb-prefiltered\" alone");
+    if (key == SpectralModel::kName) {
+        model = parse_spectral(text, rest);
+    } else if (key == RgbModel::kName) {
+        model = parse_rgb(text, rest);
+    } else if (key == PrefilteredRgbModel::kName) {
+        if (rest) refuse(text, "\"rgb-prefiltered\" alone");
         model = PrefilteredRgbModel{};
-    } else if (name == BasisModel::kName) {
-        BasisModel basis;
-        if (!rest.empty()) basis.functions = parsed_int(rest, "transport model basis: functions");
-        model = basis;
+    } else if (key == BasisModel::kName) {
+        model = parse_basis(text, rest);
     } else {
-        refuse(text, "spectral:N[:STRATEGY], rgb[:SPACE], rgb-prefiltered or basis:K");
+        const std::string forms = "spectral:N[:STRATEGY], rgb[:SPACE], rgb-prefiltered";
+        refuse(text, others.empty() ? forms + " or basis:K" : fmt::format("{}, basis:K or {}", forms, others));
     }
     validate(model);
     return model;
@@ -131,7 +160,7 @@ std::vector<TransportModelDescription> describe_transport_models() {
 }
 
 Matrix3 channel_space_from_xyz(std::string_view name) {
-    return is_sharp(name) ? kSharpFromXyz : rgb_from_xyz(rgb_space(name));
+    return is_sharp(name) ? kSharpFromXyz : rgb_from_xyz(rgb_space(channel_space_name(name)));
 }
 
 }  // namespace emulsion

@@ -61,9 +61,10 @@ using TransportModel = std::variant<SpectralModel, RgbModel, PrefilteredRgbModel
 /// "spectral:4", "spectral:8:hero-illuminant:uniform-share=0.1", "rgb:sRGB", "basis:6": reads back as the same.
 [[nodiscard]] std::string to_text(const TransportModel& model);
 
-/// What may be left out has its default: "spectral", "rgb", "basis".
+/// What may be left out has its default: "spectral", "rgb", "basis"; with its colon. Names as core/name_key.h has them.
+/// \param others forms that might have stood there besides, for the list of those that are expected
 /// \throws std::invalid_argument naming what was found and what was expected.
-[[nodiscard]] TransportModel parse_transport_model(std::string_view text);
+[[nodiscard]] TransportModel parse_transport_model(std::string_view text, std::string_view others = {});
 
 /// \throws std::invalid_argument naming the field, its value and its range.
 void validate(const TransportModel& model);

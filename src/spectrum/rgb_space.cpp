@@ -26,16 +26,18 @@ std::vector<RgbSpace> tabulated_spaces() {
     return spaces;
 }
 
-/// What some spaces are called without the name of their primaries.
-constexpr std::array kShortNames = {std::pair<std::string_view, std::string_view>{"ACEScg", "ACEScg_AP1"},
+/// What some spaces are called, too: without the name of their primaries, and as the ITU writes them.
+constexpr std::array kOtherNames = {std::pair<std::string_view, std::string_view>{"Rec.709", "Rec709"},
+                                    std::pair<std::string_view, std::string_view>{"Rec.2020", "Rec2020"},
+                                    std::pair<std::string_view, std::string_view>{"ACEScg", "ACEScg_AP1"},
                                     std::pair<std::string_view, std::string_view>{"ACES2065-1", "ACES2065_1_AP0"},
                                     std::pair<std::string_view, std::string_view>{"ProPhoto", "ROMM_ProPhoto"}};
 
 /// The key of a name in the table.
 std::string table_key(std::string_view name) {
     std::string key = name_key(name);
-    for (const auto& [short_name, whole_name] : kShortNames) {
-        if (key == name_key(short_name)) return name_key(whole_name);
+    for (const auto& [other_name, name_in_table] : kOtherNames) {
+        if (key == name_key(other_name)) return name_key(name_in_table);
     }
     return key;
 }

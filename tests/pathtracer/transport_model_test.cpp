@@ -11,6 +11,7 @@
 namespace emulsion {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(TransportModel, TextsReadBackAsTheSameModel) {
@@ -34,6 +35,15 @@ TEST(TransportModel, WhatIsLeftOutHasItsDefault) {
     EXPECT_EQ(to_text(parse_transport_model("basis")), "basis:6");
 }
 
+TEST(TransportModel, NamesAreComparedAsElsewhere) {
+    EXPECT_EQ(to_text(parse_transport_model("RGB")), "rgb:sRGB");
+    EXPECT_EQ(to_text(parse_transport_model("rgb:Rec.709")), "rgb:Rec709");
+    EXPECT_EQ(to_text(parse_transport_model("rgb:rec.2020")), "rgb:Rec2020");
+    EXPECT_EQ(to_text(parse_transport_model("RGB_Prefiltered")), "rgb-prefiltered");
+    EXPECT_EQ(to_text(parse_transport_model("Basis:4")), "basis:4");
+    EXPECT_EQ(to_text(parse_transport_model("Spectral:2:Hero_Uniform")), "spectral:2:hero-uniform");
+}
+
 TEST(TransportModel, RefusesWhatIsNone) {
     const auto message = [](const char* text) -> std::string {
         try {
@@ -49,7 +59,13 @@ TEST(TransportModel, RefusesWhatIsNone) {
     EXPECT_THAT(message("spectral:four"), HasSubstr("four"));
     EXPECT_THAT(message("spectral:4:hero"), HasSubstr("hero-visible"));
     EXPECT_THAT(message("spectral:4:hero-lines:uniform-share=2"), HasSubstr("uniform-share"));
-    EXPECT_THAT(message("rgb:Rec1886"), HasSubstr("Rec2020"));
+    EXPECT_THAT(message("rgb:Rec1886"), AllOf(HasSubstr("Rec2020"), HasSubstr("or sharp")));
+    EXPECT_THAT(message("rgb:"), HasSubstr("found \"rgb:\", expected rgb[:SPACE]"));
+    EXPECT_THAT(message("basis:"), HasSubstr("found \"basis:\", expected basis:K"));
+    for (const std::string text : {"spectral:", "spectral:4:", "spectral::hero-visible"}) {
+        EXPECT_THAT(message(text.c_str()), HasSubstr("found \"" + text + "\", expected spectral:N[:STRATEGY]"));
+    }
+    EXPECT_THAT(message("rgb-prefiltered:"), HasSubstr("alone"));
     EXPECT_THAT(message("rgb-prefiltered:sRGB"), HasSubstr("expected \"rgb-prefiltered\" alone"));
     EXPECT_THAT(message("basis:2"), HasSubstr("functions 2: must be in [3, 8]"));
     EXPECT_THAT(message("basis:9"), HasSubstr("functions 9: must be in [3, 8]"));
