@@ -47,7 +47,7 @@ typedef enum emulsion_status {
  * Valid until the thread's next failure. */
 const char* emulsion_last_error(void);
 
-/* "0.1.0" */
+/* "0.2.0" */
 const char* emulsion_version(void);
 
 /* ---- Films ---- */

@@ -44,6 +44,10 @@ constexpr std::array<std::pair<const char*, AxisScale>, 2> kScales = {
 constexpr std::array<std::pair<const char*, BetterEnd>, 3> kBetterEnds = {
     {{"low", BetterEnd::low}, {"high", BetterEnd::high}, {"neither", BetterEnd::neither}}};
 
+constexpr std::array<std::pair<const char*, SeriesLines>, 2> kSeriesLines = {
+    {{"joined", SeriesLines::joined}, {"none", SeriesLines::none}}};
+constexpr std::array<std::pair<const char*, bool>, 2> kOnFront = {{{"0", false}, {"1", true}}};
+
 template <class T>
 const char* word_of(T value, Words<T> words) {
     return std::ranges::find(words, value, &std::pair<const char*, T>::second)->first;
@@ -157,12 +161,11 @@ ChartPoint point_of(const CsvReader& reader, const Row& row) {
     const auto spread = [&](std::size_t i) {
         return Spread{reader.number(row[i]), reader.number(row[i + 1]), reader.number(row[i + 2])};
     };
-    using Front = std::pair<const char*, bool>;
     ChartPoint point{.series = row[1],
                      .label = row[2],
                      .x = spread(3),
                      .y = spread(6),
-                     .on_front = choice(reader, row[9], Front("0", false), Front("1", true))};
+                     .on_front = choice<bool>(reader, row[9], kOnFront)};
     read_details(reader, row[10], point);
     return point;
 }
@@ -175,7 +178,7 @@ std::string to_csv(const Chart& chart) {
         Row row = {panel.title};
         append_axis(row, "x", panel.x);
         append_axis(row, "y", panel.y);
-        row.emplace_back(panel.lines == SeriesLines::joined ? "joined" : "none");
+        row.emplace_back(word_of<SeriesLines>(panel.lines, kSeriesLines));
         text += "# panel," + line(row);
     }
     text += std::string(kColumns) + '\n';
@@ -184,7 +187,7 @@ std::string to_csv(const Chart& chart) {
             Row row = {panel.title, point.series, point.label};
             append_spread(row, point.x);
             append_spread(row, point.y);
-            row.insert(row.end(), {point.on_front ? "1" : "0", details_text(point)});
+            row.insert(row.end(), {word_of<bool>(point.on_front, kOnFront), details_text(point)});
             text += line(row);
         }
     }
@@ -201,10 +204,11 @@ Chart parse_chart_csv(const std::string& text, const std::filesystem::path& name
     chart.note = row[3];
     for (row = reader.next(); row[0] == "# panel"; row = reader.next()) {
         if (row.size() != kPanelCells) reader.fail(fmt::format("expected {} cells of a panel", kPanelCells));
-        using Lines = std::pair<const char*, SeriesLines>;
-        chart.panels.push_back(
-            {row[1], axis_of(reader, row, 2), axis_of(reader, row, 8),
-             choice(reader, row[14], Lines("joined", SeriesLines::joined), Lines("none", SeriesLines::none))});
+        chart.panels.push_back({row[1],
+                                axis_of(reader, row, 2),
+                                axis_of(reader, row, 8),
+                                choice<SeriesLines>(reader, row[14], kSeriesLines),
+                                {}});
     }
     if (line(row) != std::string(kColumns) + '\n') reader.fail("expected " + std::string(kColumns));
     while (!reader.at_end()) {

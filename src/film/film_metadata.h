@@ -7,10 +7,10 @@
 
 namespace emulsion {
 
-/// `run` (seed, renderer, command line) with all that the film knows: its counts, its options, its sampling and what was done
-/// against fireflies, with what that changed. Samples per pixel are those of `provenance`. Where that has none they are the
-/// fewest that reach any pixel, without dropped ones; of a film that splats, whose samples reach several pixels each,
-/// they are its samples over the pixels of its sample_bounds(), rounded down.
+/// `run` (seed, renderer, command line) with all that the film knows: its counts, its options, its sampling and what
+/// was done against fireflies, with what that changed. Samples per pixel are those of `provenance`. Where that has none
+/// they are the fewest that reach any pixel, without dropped ones; of a film that splats, whose samples reach several
+/// pixels each, they are its samples over the pixels of its sample_bounds(), rounded down.
 [[nodiscard]] FilmMetadata metadata_of(const Film& film, const FilmProvenance& provenance, FilmMetadata run);
 [[nodiscard]] FilmMetadata metadata_of(const FilmContents<ExactSums>& contents, const FilmOptions& options,
                                        const FilmProvenance& provenance, FilmMetadata run);
