@@ -65,12 +65,23 @@ double percentile_99(std::vector<double> values) {
     return values[rank];
 }
 
+/// The pilot's own noise is in the differences that it shows, and adds to the error in squares: it is taken out again,
+/// as the halves of the pilot's paths tell it.
 ColourError error_of(const Pilot& pilot, const SeenPilot& exact, std::size_t part) {
+    const PilotChannels::Part& model = pilot.channels.models[part];
+    const auto difference_in = [&](const ChannelValues& pixel) {
+        return xyz_of(pilot.channels, model, pixel) + -1.0 * xyz_of(pilot.channels, pilot.channels.bands, pixel);
+    };
     std::vector<double> errors;
     double sum = 0.0;
     for (std::size_t i = 0; i < pilot.pixels.size(); ++i) {
-        const XYZd xyz = xyz_of(pilot.channels, pilot.channels.models[part], pilot.pixels[i]);
-        errors.push_back(difference(Ciede2000Difference{}, exact.exact[i], lab_as_viewed(xyz, exact.viewing)));
+        const XYZd xyz = xyz_of(pilot.channels, pilot.channels.bands, pilot.pixels[i]);
+        const auto seen_beside = [&](const XYZd& off) {
+            return difference(Ciede2000Difference{}, exact.exact[i], lab_as_viewed(xyz + off, exact.viewing));
+        };
+        const double shown = seen_beside(difference_in(pilot.pixels[i])),
+                     noise = seen_beside(difference_in(pilot.noise[i]));
+        errors.push_back(std::sqrt(std::max(0.0, shown * shown - noise * noise)));
         sum += errors.back();
     }
     return {sum / static_cast<double>(errors.size()), percentile_99(std::move(errors))};
