@@ -60,8 +60,8 @@ inline constexpr double kDispersionSeen = 0.005;
                                            const PilotOptions& options = {});
 
 /// The decision and its reasons, in two lines, or with another separator between them:
-///     rgb-prefiltered: predicted dE00 0.24 mean, 1.08 p99; asked for 1 mean, 3 p99
-///     rgb:sRGB 1.42 mean, 6.81 p99; spectral:4 would cost 1.08x
+///     rgb-prefiltered: predicted dE00 0.23 mean, 1.59 p99; asked for 1 mean, 3 p99
+///     rgb:sRGB 2.53 mean, 12.62 p99; spectral:4 would cost 1.11x
 [[nodiscard]] std::string reasons(const ModelAnalysis& analysis, std::string_view separator = "\n");
 
 }  // namespace emulsion

@@ -82,9 +82,11 @@ class PilotTracer {
         double squares = 0.0;
         for (std::size_t i = 0; i < paths_.size(); ++i) {
             ChannelValues values{};
+            const double half = half_of(i);
             for (std::size_t k = 0; k < values.size(); ++k) {
                 values[k] = scale * weights_[i] * static_cast<double>(paths_[i].radiance.value[k]);
                 pilot.pixels[pixel][k] += values[k];
+                pilot.noise[pixel][k] += half * values[k];
             }
             const double y_of_path = xyz_of(pilot.channels, pilot.channels.bands, values).y;
             squares += y_of_path * y_of_path;
@@ -97,6 +99,12 @@ class PilotTracer {
     }
 
   private:
+    /// 1 in the first half of the paths, -1 in the second, 0 in between.
+    [[nodiscard]] double half_of(std::size_t path) const noexcept {
+        const std::size_t half = paths_.size() / 2;
+        return path < half ? 1.0 : path < paths_.size() - half ? 0.0 : -1.0;
+    }
+
     /// \returns its weight.
     double start(int x_px, int y_px, int sample, Path<PilotTransport>& path) const {
         path.samples = SampleSequence(sampler_, seed_, x_px, y_px, sample);
@@ -133,6 +141,7 @@ Pilot trace_pilot(PreparedScene& scene, std::span<const TransportModel> models, 
     pilot.samples_per_pixel =
         samples_per_pixel(with_samples_per_pixel(scene.scene().sampler, options.samples_per_pixel));
     pilot.pixels.resize(static_cast<std::size_t>(grid.width_px) * static_cast<std::size_t>(grid.height_px));
+    pilot.noise.resize(pilot.pixels.size());
     pilot.luminance_error.resize(pilot.pixels.size());
     parallel_for(0, grid.height_px, options.threads, [&](int y) {
         PilotTracer tracer(scene, grid, options);

@@ -29,6 +29,7 @@ struct Pilot {
     int width_px = 0, height_px = 0;
     int samples_per_pixel = 0;
     std::vector<ChannelValues> pixels;    ///< means of the samples, row by row; Y in cd/m^2 of a film without exposure
+    std::vector<ChannelValues> noise;     ///< of these: half of what their samples' halves differ by; 0 of one sample
     std::vector<double> luminance_error;  ///< standard error of each pixel's Y by its samples taken for independent
 };
 

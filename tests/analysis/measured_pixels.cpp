@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "analysis/model_analysis.h"
+#include "core/nearest_rank.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/units.h"
@@ -88,9 +89,7 @@ ColourError error_between(const std::vector<XYZd>& a, const std::vector<XYZd>& b
         errors.push_back(difference(Ciede2000Difference{}, lab_as_viewed(a[i], viewing), lab_as_viewed(b[i], viewing)));
         sum += errors.back();
     }
-    std::sort(errors.begin(), errors.end());
-    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(errors.size()))) - 1;
-    return {sum / static_cast<double>(errors.size()), errors[rank]};
+    return {sum / static_cast<double>(errors.size()), nearest_rank(errors, 99)};
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ class JsonCheck {
         const std::size_t end = rest_.find_first_of(",]} \n");
         const std::string word(rest_.substr(0, end));
         rest_.remove_prefix(word.size());
-        return word == "null" || (!word.empty() && word.find_first_not_of("0123456789.e+-") == std::string::npos);
+        if (word == "null" || word == "true" || word == "false") return true;
+        return !word.empty() && word.find_first_not_of("0123456789.e+-") == std::string::npos;
     }
 
     std::string_view rest_;
