@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "core/name_key.h"
 #include "core/parameters.h"
 
 namespace emulsion {
@@ -21,7 +22,7 @@ void validate(const ErrorBudget& budget) {
 
 std::optional<ErrorBudget> parse_auto(std::string_view text, std::string_view what) {
     const std::string_view name = text.substr(0, text.find(':'));
-    if (name != kAutoChoice) return std::nullopt;
+    if (name_key(name) != kAutoChoice) return std::nullopt;
     ErrorBudget budget;
     if (name.size() < text.size()) {
         const std::string_view numbers = text.substr(name.size() + 1);

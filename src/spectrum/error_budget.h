@@ -24,7 +24,8 @@ void validate(const ErrorBudget& budget);
 /// What leaves a choice to the program.
 inline constexpr std::string_view kAutoChoice = "auto";
 
-/// The budget of "auto[:MEAN[,P99]]"; P99 is three times MEAN unless it is given. None for a text of another name.
+/// The budget of "auto[:MEAN[,P99]]", the name as names are compared (core/name_key.h); P99 is three times MEAN unless
+/// it is given. None for a text of another name.
 /// \param what "model": the choice, for messages
 /// \throws std::invalid_argument naming what was found and what was expected.
 [[nodiscard]] std::optional<ErrorBudget> parse_auto(std::string_view text, std::string_view what);
