@@ -141,7 +141,6 @@ std::string alternatives(const ModelAnalysis& analysis) {
 }  // namespace
 
 double relative_cost(const TransportModel& model) {
-    if (std::holds_alternative<PrefilteredRgbModel>(model)) return 0.99;
     if (const auto* basis = std::get_if<BasisModel>(&model)) {
         return basis->functions <= 3 ? 1.0 : basis->functions <= 4 ? 1.03 : 1.05;
     }

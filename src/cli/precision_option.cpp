@@ -25,12 +25,12 @@ void add_precision_option(CLI::App& command, DevelopSettings& settings) {
     std::string help =
         fmt::format("Bloom, vision and tone mapping [default: {}]; one of", to_text(settings.pipeline.precision));
     for (const NamedValueDescription& choice : describe_named<Precision>()) {
+        help += fmt::format("\n  {}: {}", choice.name, choice.help);
+        if (choice.name != ReferencePrecision::kName) continue;
         // docs/tone-mapping.md has the measurements.
         help +=
-            ": 4 to 17 times as long, 60 to 3000 times under local adaptations, with bloom or vision hours for a "
-            "megapixel; "
-            "two more pictures in memory";
-        help += fmt::format("\n  {}: {}", choice.name, choice.help);
+            "; 4 to 17 times as long, 60 to 3000 times under local adaptations, with bloom or vision hours for a "
+            "megapixel; two more pictures in memory";
     }
     help += fmt::format(
         "\n  auto[:MEAN[,P99]]: fast if its colour error on the display, CIEDE2000, is within a mean and a 99th "

@@ -32,6 +32,7 @@
 #include "pathtracer/prepared_scene.h"
 #include "pathtracer/render.h"
 #include "pathtracer/scene_parser.h"
+#include "pathtracer/stopping_rule.h"
 
 namespace emulsion::cli {
 
@@ -118,11 +119,28 @@ void render_with_progress(const PreparedScene& scene, const RenderOptions& optio
 }
 
 /// What --until has come to.
-std::string until_text(const FilmInProgress& film, double target, int most_samples) {
+std::string until_text(const FilmInProgress& film, const RenderOptions& options) {
     const std::size_t tiles = tile_count(film.film().sample_bounds(), kTileSize_px), stopped = film.tiles_left_out();
-    std::string text = fmt::format("standard error of colour at most {:g} in {} of {} tiles", target, stopped, tiles);
-    if (stopped < tiles) text += fmt::format("; the others would need more than {} samples", most_samples);
+    if (film.provenance().samples.count() < StoppingRule::kFirstLook) {
+        return fmt::format("standard error of colour not looked at: that is first done after {} samples\n",
+                           StoppingRule::kFirstLook);
+    }
+    std::string text = fmt::format("standard error of colour at most {:g}, estimated, in {} of {} tiles",
+                                   *options.until, stopped, tiles);
+    if (stopped < tiles && film.missing_paths(samples_of(options)) == 0) text += "; the others have all samples";
     return text + "\n";
+}
+
+/// What was rendered, and what was written.
+void print_summary(const FilmInProgress& film, const RenderOptions& options, const OutputFiles& files,
+                   double render_s) {
+    const PixelBounds& bounds = film.film().bounds();
+    print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\n", bounds.width(), bounds.height(),
+                             taken_text(film), render_s));
+    if (options.until) print_output(until_text(film, options));
+    for (const auto& file : {files.output, files.png, files.state}) {
+        if (!file.empty()) print_output(fmt::format("wrote {}\n", file.string()));
+    }
 }
 
 }  // namespace
@@ -189,14 +207,7 @@ int RenderCommand::run(const std::string& command_line) const {
         const DevelopResult developed = develop_to_png(picture, settings.pipeline, options.threads, files.png);
         if (!settings.quiet) report_gamut(developed, settings.pipeline);
     }
-    if (!settings.quiet) {
-        print_output(fmt::format("{}x{} pixels, {} samples each, in {:.2f} s\n", picture.width(), picture.height(),
-                                 taken_text(in_progress), render_s));
-        if (options.until) print_output(until_text(in_progress, *options.until, options.samples_per_pixel));
-        for (const auto& file : {files.output, files.png, files.state}) {
-            if (!file.empty()) print_output(fmt::format("wrote {}\n", file.string()));
-        }
-    }
+    if (!settings.quiet) print_summary(in_progress, options, files, render_s);
     return kDone;
 }
 

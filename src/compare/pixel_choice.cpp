@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "compare/finite_pixel.h"
+#include "core/name_key.h"
 #include "core/row_blocks.h"
 #include "film/exr_channels.h"
 #include "film/exr_layers.h"
@@ -169,8 +170,9 @@ std::string why_float(const HalfLoss& loss, const ErrorBudget& budget) {
 }  // namespace
 
 PixelChoice parse_pixel_choice(std::string_view text) {
-    if (text == "half") return PixelType::half;
-    if (text == "float") return PixelType::float32;
+    const std::string name = name_key(text);
+    if (name == "half") return PixelType::half;
+    if (name == "float") return PixelType::float32;
     if (const auto budget = parse_auto(text, "pixels")) return AutoPixels{*budget};
     throw std::invalid_argument(fmt::format("found \"{}\", expected half, float or auto[:MEAN[,P99]]", text));
 }

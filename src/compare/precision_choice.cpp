@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "core/name_key.h"
 #include "core/parameters.h"
 #include "core/row_blocks.h"
 #include "develop/averaged_down.h"
@@ -39,8 +40,9 @@ int usual_most_px(const Pipeline& pipeline) {
 
 PrecisionChoice parse_precision_choice(std::string_view text) {
     if (const auto budget = parse_auto(text, "precision")) return AutoPrecision{*budget};
-    if (text == FastPrecision::kName) return FastPrecision{};
-    if (text == ReferencePrecision::kName) return ReferencePrecision{};
+    const std::string name = name_key(text);
+    if (name == FastPrecision::kName) return FastPrecision{};
+    if (name == ReferencePrecision::kName) return ReferencePrecision{};
     throw std::invalid_argument(fmt::format("found \"{}\", expected fast, reference or auto[:MEAN[,P99]]", text));
 }
 

@@ -179,12 +179,12 @@ class Stopping {
 
     /// Looks at what has not been looked at yet, up to these samples of the picture; false if `stop` came before.
     bool follow(std::uint64_t picture_samples, const std::atomic<bool>& stop) {
-        constexpr std::uint64_t kStep = StoppingRule::kSamplesPerLook;
-        for (; looked_ + kStep <= picture_samples; looked_ += kStep) {
-            trace_pair({pair_samples_, StoppingRule::pair_samples(looked_ + kStep)}, stop);
+        for (; next_look_ <= picture_samples; next_look_ += StoppingRule::kSamplesPerLook) {
+            const std::uint64_t of_pair = StoppingRule::pair_samples(next_look_);
+            trace_pair({pair_samples_, of_pair}, stop);
             if (stop.load(std::memory_order_relaxed)) return false;
-            pair_samples_ = StoppingRule::pair_samples(looked_ + kStep);
-            rule_.look(looked_ + kStep, threads_);
+            pair_samples_ = of_pair;
+            rule_.look(next_look_, threads_);
         }
         return true;
     }
@@ -212,7 +212,7 @@ class Stopping {
     int threads_;
     StoppingRule rule_;
     TileRenderer<Transport> first_, second_;
-    std::uint64_t looked_ = 0, pair_samples_ = 0;
+    std::uint64_t next_look_ = StoppingRule::kFirstLook, pair_samples_ = 0;
 };
 
 template <class Transport>

@@ -10,19 +10,23 @@
 // quarter at the first look.
 //
 // At a look, after n samples of the picture, the noise pair has m each: in a pixel, half the difference of the two is
-// an error as that of their mean, of 2 m samples; sqrt(2 m / n) times it is one as the picture's. The standard error of
-// the tile is the root mean square over its pixels of what that error does to the colour of their mean (CIEDE2000, by
-// the rule of spectrum/viewing_conditions.h).
+// an error as that of their mean, of 2 m samples. So few samples are too noisy for a colour difference each; what is
+// taken of them are means over many pixels, in which they count by their squares: the covariance of X, Y and Z of a
+// sample, relative to the luminance around the pixel, over the tile and over it with its neighbours, of which the worse
+// counts. The standard error of the tile is then the root mean square over its pixels of the CIEDE2000 (by the rule of
+// spectrum/viewing_conditions.h) that such a covariance over n makes about the mean colour around the pixel.
 //
 // It is what independent samples have: stratified and low-discrepancy samplers are better, and stop later than they
 // need. Light that is so rare that neither of the pair has met it is not in the estimate. Pixels of one tile share the
 // decision, those of different tiles don't, and tiles lie on a grid from the film's corner: another crop window,
 // another picture.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/color.h"
 #include "core/image.h"
 #include "film/film.h"
 
@@ -30,10 +34,12 @@ namespace emulsion {
 
 class StoppingRule {
   public:
-    /// Looks come after so many samples of the picture, and after every further so many.
-    static constexpr std::uint64_t kSamplesPerLook = 16;
+    /// The first look comes after kFirstLook samples of the picture, the others after every further kSamplesPerLook.
+    static constexpr std::uint64_t kFirstLook = 64, kSamplesPerLook = 16;
     /// Each of the noise pair has this share of the picture's samples, but never less than kFewestPairSamples.
-    static constexpr std::uint64_t kSamplesPerPairSample = 16, kFewestPairSamples = 2;
+    static constexpr std::uint64_t kSamplesPerPairSample = 16, kFewestPairSamples = 8;
+    /// A tile that has fewer pixels, its neighbours' among them, never stops: that would be by luck.
+    static constexpr std::uint64_t kFewestPixels = 64;
 
     /// \param film      options of the picture's film
     /// \param target    standard error that is low enough, CIEDE2000; finite, > 0
@@ -59,10 +65,26 @@ class StoppingRule {
     [[nodiscard]] const std::vector<std::uint8_t>& stopped() const noexcept { return stopped_; }
 
   private:
+    /// Sum over pixels of the covariance of one sample's XYZ over the squared luminance around: xx, xy, xz, yy, yz, zz.
+    struct Noise {
+        std::array<double, 6> sum{};
+        std::uint64_t pixels = 0;  ///< those that are black all around, and have none, are not counted
+    };
+    /// What the pair shows at a look.
+    struct Pair {
+        Image<XYZd> around, error;  ///< the mean of both over the pixels around, and half of their difference
+    };
+
+    [[nodiscard]] Pair shown(int threads) const;
+    void measure(std::size_t tile, const Pair& pair, std::uint64_t samples_of_both);
+    [[nodiscard]] Noise with_neighbours(std::size_t tile) const;
+    [[nodiscard]] PixelBounds pixels_of(std::size_t tile) const noexcept;
+
     Film first_, second_;
     double target_;
     int tile_px_;
     std::vector<std::uint8_t> stopped_;
+    std::vector<Noise> noise_;  // of every tile, as of the last look at it
 };
 
 /// That pictures of such a film can be stopped tile by tile.

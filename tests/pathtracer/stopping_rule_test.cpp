@@ -52,6 +52,21 @@ Contents rendered(const RenderOptions& options) {
     return film.contents();
 }
 
+ViewingConditions viewing_of(const Image<XYZ>& picture) {
+    double logs = 0.0, count = 0.0;
+    for (const XYZ& pixel : picture.pixels()) {
+        if (!(pixel.y > 0.0f)) continue;
+        logs += std::log(static_cast<double>(pixel.y));
+        count += 1.0;
+    }
+    return {default_white(observer("cie_1931_2deg")), white_luminance_of_log_average(std::exp(logs / count))};
+}
+
+double difference_of(const XYZ& a, const XYZ& b, const ViewingConditions& viewing) {
+    const auto lab = [&](const XYZ& xyz) { return lab_as_viewed(XYZd{xyz.x, xyz.y, xyz.z}, viewing); };
+    return difference(Ciede2000Difference{}, lab(a), lab(b));
+}
+
 /// Samples of each tile, all of whose pixels must have the same number.
 std::vector<std::uint64_t> samples_of_tiles(const Contents& contents) {
     const PixelBounds frame{0, 0, kWidth_px, kHeight_px};
@@ -78,10 +93,7 @@ TEST(StoppingRule, StopsAtTheErrorThatWasAskedFor) {
     constexpr double kTarget = 1.5;
     render(scene(), until(kTarget), film, progress);
     const Image<XYZ> reference = reference_film.xyz_image(), picture = film.xyz_image();
-    double logs = 0.0;
-    for (const XYZ& pixel : reference.pixels()) logs += std::log(static_cast<double>(pixel.y));
-    const ViewingConditions viewing{default_white(observer("cie_1931_2deg")),
-                                    white_luminance_of_log_average(std::exp(logs / (kWidth_px * kHeight_px)))};
+    const ViewingConditions viewing = viewing_of(reference);
 
     const std::vector<std::uint64_t> counts = samples_of_tiles(film.contents());
     double all = 0.0;
@@ -90,8 +102,7 @@ TEST(StoppingRule, StopsAtTheErrorThatWasAskedFor) {
         double squares = 0.0;
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
-                const auto lab = [&](const XYZ& xyz) { return lab_as_viewed(XYZd{xyz.x, xyz.y, xyz.z}, viewing); };
-                squares += std::pow(difference(Ciede2000Difference{}, lab(reference(x, y)), lab(picture(x, y))), 2);
+                squares += std::pow(difference_of(reference(x, y), picture(x, y), viewing), 2);
             }
         }
         const double error = std::sqrt(squares / (static_cast<double>(bounds.width()) * bounds.height()));
@@ -99,11 +110,13 @@ TEST(StoppingRule, StopsAtTheErrorThatWasAskedFor) {
         EXPECT_LT(counts[tile], 1024u) << tile;
         // 256 pixels tell a variance within 9 % (one standard deviation), and what stops is soon below the target.
         EXPECT_LT(error, 1.3 * kTarget) << tile << " of " << counts[tile];
-        if (counts[tile] > StoppingRule::kSamplesPerLook) {
+        if (counts[tile] > StoppingRule::kFirstLook) {
             EXPECT_GT(error, 0.7 * kTarget) << tile << " of " << counts[tile];
         }
     }
-    EXPECT_NEAR(all, kTarget, 0.1 * kTarget);
+    // The worse of a tile and its surroundings counts.
+    EXPECT_LT(all, kTarget);
+    EXPECT_GT(all, 0.75 * kTarget);
     EXPECT_GT(std::set<std::uint64_t>(counts.begin(), counts.end()).size(), 2u);
 }
 
@@ -118,10 +131,10 @@ TEST(StoppingRule, LowerTargetsTakeMoreSamplesAsTheSquare) {
 }
 
 TEST(StoppingRule, StopsSoonWhereThereIsNoNoiseAndNeverWhereTheTargetIsTooLow) {
-    for (const std::uint64_t count : samples_of_tiles(rendered(until(1000.0, 40)))) EXPECT_EQ(count, 16u);
-    EXPECT_TRUE(rendered(until(1e-9, 40)) == rendered({.samples_per_pixel = 40, .threads = 2}));
+    for (const std::uint64_t count : samples_of_tiles(rendered(until(1000.0, 80)))) EXPECT_EQ(count, 64u);
+    EXPECT_TRUE(rendered(until(1e-9, 80)) == rendered({.samples_per_pixel = 80, .threads = 2}));
     // Fewer than there are looks after.
-    EXPECT_TRUE(rendered(until(1000.0, 9)) == rendered({.samples_per_pixel = 9, .threads = 2}));
+    EXPECT_TRUE(rendered(until(1000.0, 40)) == rendered({.samples_per_pixel = 40, .threads = 2}));
 }
 
 TEST(StoppingRule, EveryNumberOfThreadsGivesTheSameBits) {
@@ -137,7 +150,7 @@ TEST(StoppingRule, EveryNumberOfThreadsGivesTheSameBits) {
 TEST(StoppingRule, GoesOnToWhatASingleRunGives) {
     const RenderOptions options = until(3.0, 256);
     const Contents whole = rendered(options);
-    for (const int first : {7, 16, 40, 100}) {
+    for (const int first : {7, 40, 72, 100}) {
         Film film(film_options());
         FilmInProgress in_progress(film, provenance_of(scene().scene(), options));
         RenderProgress progress;
@@ -147,6 +160,45 @@ TEST(StoppingRule, GoesOnToWhatASingleRunGives) {
         render(scene(), options, rest_in_progress, progress);
         EXPECT_TRUE(rest.contents() == whole) << first;
         EXPECT_EQ(rest_in_progress.missing_paths(samples_of(options)), 0);
+    }
+}
+
+/// Light that most paths miss: the pair's pixels are black or far too bright, and no look may take that for quiet.
+TEST(StoppingRule, IsNotFooledWhereMostPathsFindNoLight) {
+    Scene room = read_scene(EMULSION_SOURCE_DIR "/scenes/sunlit-room.pbrt");
+    room.film.width_px = 32;
+    room.film.height_px = 24;
+    room.sampler = IndependentSampler{};
+    const PreparedScene prepared(std::move(room), 2);
+    const auto picture = [&](const RenderOptions& options) {
+        Film film(film_options(prepared.scene()));
+        RenderProgress progress;
+        render(prepared, options, film, progress);
+        return film.xyz_image();
+    };
+    const Image<XYZ> reference = picture({.samples_per_pixel = 4096, .seed = 3, .threads = 2});
+    double sum = 0.0;
+    const ViewingConditions viewing = viewing_of(reference);
+    const Image<XYZ> stopped = picture(until(8.0, 2048));
+    for (std::size_t i = 0; i < stopped.pixels().size(); ++i) {
+        sum += std::pow(difference_of(reference.pixels()[i], stopped.pixels()[i], viewing), 2);
+    }
+    // It was 20 when each pixel of the pair was looked at on its own.
+    EXPECT_NEAR(std::sqrt(sum / static_cast<double>(stopped.pixels().size())), 8.0, 2.0);
+}
+
+TEST(StoppingRule, NeverStopsWhatIsTooSmallToTell) {
+    for (const int side_px : {1, 7, 8}) {
+        StoppingRule rule({.width_px = side_px, .height_px = side_px}, 1000.0, kTileSize_px);
+        for (Film* film : {&rule.first(), &rule.second()}) {
+            FilmTile tile = film->make_tile({0, 0, side_px, side_px});
+            for (int y = 0; y < side_px; ++y) {
+                for (int x = 0; x < side_px; ++x) tile.add(x, y, XYZ{1.0f, 1.0f, 1.0f}, 1.0f);
+            }
+            film->merge(tile);
+        }
+        rule.look(64, 1);
+        EXPECT_EQ(rule.running_tiles().empty(), side_px == 8) << side_px;
     }
 }
 
