@@ -179,7 +179,7 @@ class Stopping {
 
     /// Looks at what has not been looked at yet, up to these samples of the picture; false if `stop` came before.
     bool follow(std::uint64_t picture_samples, const std::atomic<bool>& stop) {
-        for (; next_look_ <= picture_samples; next_look_ += StoppingRule::kSamplesPerLook) {
+        for (; next_look_ <= picture_samples; next_look_ = StoppingRule::look_after(next_look_)) {
             const std::uint64_t of_pair = StoppingRule::pair_samples(next_look_);
             trace_pair({pair_samples_, of_pair}, stop);
             if (stop.load(std::memory_order_relaxed)) return false;

@@ -107,6 +107,11 @@ StoppingRule::StoppingRule(const FilmOptions& film, double target, int tile_px)
       stopped_(tile_count(first_.sample_bounds(), tile_px)),
       noise_(stopped_.size()) {}
 
+std::uint64_t StoppingRule::look_after(std::uint64_t picture_samples) noexcept {
+    const std::uint64_t share = picture_samples / kShareOfLook;
+    return picture_samples + std::max(kSamplesPerLook, share - share % kSamplesPerLook);
+}
+
 std::uint64_t StoppingRule::pair_samples(std::uint64_t picture_samples) noexcept {
     return std::max(kFewestPairSamples, picture_samples / kSamplesPerPairSample);
 }
@@ -149,7 +154,8 @@ StoppingRule::Noise StoppingRule::with_neighbours(std::size_t tile) const {
     Noise all;
     for (int v = std::max(0, row - 1); v <= std::min(row + 1, rows - 1); ++v) {
         for (int u = std::max(0, column - 1); u <= std::min(column + 1, columns - 1); ++u) {
-            const Noise& one = noise_[static_cast<std::size_t>(v * columns + u)];
+            const Noise& one =
+                noise_[static_cast<std::size_t>(v) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(u)];
             for (std::size_t k = 0; k < one.sum.size(); ++k) all.sum[k] += one.sum[k];
             all.pixels += one.pixels;
         }
@@ -181,7 +187,8 @@ void StoppingRule::look(std::uint64_t picture_samples, int threads) {
             return std::sqrt(sum / (static_cast<double>(bounds.width()) * bounds.height()));
         };
         const bool known = around.pixels >= kFewestPixels || around.pixels == 0;
-        if (known && std::max(root_mean_square(noise_[tile]), root_mean_square(around)) <= target_) stopped_[tile] = 1;
+        if (known && root_mean_square(noise_[tile]) <= target_ && root_mean_square(around) <= target_)
+            stopped_[tile] = 1;
     });
 }
 

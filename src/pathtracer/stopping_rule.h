@@ -34,8 +34,10 @@ namespace emulsion {
 
 class StoppingRule {
   public:
-    /// The first look comes after kFirstLook samples of the picture, the others after every further kSamplesPerLook.
-    static constexpr std::uint64_t kFirstLook = 64, kSamplesPerLook = 16;
+    /// The first look comes after kFirstLook samples of the picture. The next comes after kSamplesPerLook more, or
+    /// after a kShareOfLook-th more, down to a multiple of them: looks take time, and what is soon to be seen is seen.
+    static constexpr std::uint64_t kFirstLook = 64, kSamplesPerLook = 16, kShareOfLook = 16;
+    [[nodiscard]] static std::uint64_t look_after(std::uint64_t picture_samples) noexcept;
     /// Each of the noise pair has this share of the picture's samples, but never less than kFewestPairSamples.
     static constexpr std::uint64_t kSamplesPerPairSample = 16, kFewestPairSamples = 8;
     /// A tile that has fewer pixels, its neighbours' among them, never stops: that would be by luck.
