@@ -52,7 +52,8 @@ TEST(PixelChoice, IsReadFromItsText) {
     EXPECT_EQ(parse_pixel_choice("float"), PixelChoice(PixelType::float32));
     EXPECT_EQ(parse_pixel_choice("auto"), PixelChoice(AutoPixels{}));
     EXPECT_EQ(parse_pixel_choice("auto:0.1,2"), PixelChoice(AutoPixels{{0.1, 2.0}}));
-    for (const char* wrong : {"", "Half", "float32", "autos", "auto:"}) {
+    EXPECT_EQ(parse_pixel_choice("Half"), PixelChoice(PixelType::half)) << "as other names";
+    for (const char* wrong : {"", "halves", "float32", "autos", "auto:"}) {
         EXPECT_THROW((void)parse_pixel_choice(wrong), std::invalid_argument) << wrong;
     }
 }
