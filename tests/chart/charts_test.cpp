@@ -1,4 +1,4 @@
-// Every chart, quickly: that it has its points, and that errors do what theory says. Of times, only how they grow is tested.
+// Every chart, quickly: its points, and errors that do what theory says. Of times, only how they grow is tested.
 
 #include "chart/charts.h"
 
